@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: MIT
+# Every tests/benchmark/*.cpp is one Google Benchmark program of the same name; `--target benchmarks` builds them all.
+file(GLOB bolide_benchmarks CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/benchmark/*.cpp)
+if(NOT bolide_benchmarks)
+  return()
+endif()
+find_package(benchmark QUIET)
+if(NOT benchmark_FOUND)
+  message(STATUS "bolide: Google Benchmark (libbenchmark-dev) not found: no benchmarks")
+  return()
+endif()
+add_custom_target(benchmarks)
+foreach(source IN LISTS bolide_benchmarks)
+  get_filename_component(name ${source} NAME_WE)
+  add_executable(${name} EXCLUDE_FROM_ALL ${source})
+  target_link_libraries(${name} PRIVATE bolide::bolide bolide_release bolide_warnings benchmark::benchmark)
+  add_dependencies(benchmarks ${name})
+endforeach()

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: MIT
+# The interface targets. Headers are globbed and sorted into file sets: gsl/ belongs to bolide::gsl, png/ to bolide::png, the rest to
+# bolide::bolide. `cmake --build DIR --target all_verify_interface_header_sets` compiles each header alone with its own target's needs.
+
+file(GLOB_RECURSE bolide_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/bolide/*.hpp)
+set(bolide_gsl_headers ${bolide_headers})
+set(bolide_png_headers ${bolide_headers})
+list(FILTER bolide_gsl_headers INCLUDE REGEX "/include/bolide/gsl/")
+list(FILTER bolide_png_headers INCLUDE REGEX "/include/bolide/png/")
+list(FILTER bolide_headers EXCLUDE REGEX "/include/bolide/(gsl|png)/")
+
+# Adds interface target bolide_<name> with alias and export name bolide::<name>.
+function(bolide_interface target export_name)
+  add_library(${target} INTERFACE)
+  add_library(bolide::${export_name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${export_name})
+  target_compile_features(${target} INTERFACE cxx_std_20)
+  if(CMAKE_VERSION VERSION_GREATER_EQUAL 3.23)
+    target_sources(${target} INTERFACE FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/include FILES ${ARGN})
+    set_target_properties(${target} PROPERTIES VERIFY_INTERFACE_HEADER_SETS ${bolide_top_level})
+  else()
+    target_include_directories(${target} INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
+  endif()
+endfunction()
+
+find_package(Eigen3 3.3 REQUIRED NO_MODULE)
+bolide_interface(bolide bolide ${bolide_headers})
+target_link_libraries(bolide INTERFACE Eigen3::Eigen)
+if(BOLIDE_OPENMP)
+  find_package(OpenMP QUIET COMPONENTS CXX)
+  if(OpenMP_CXX_FOUND)
+    # An installed bolide asks the consumer's own compiler for OpenMP (bolideConfig.cmake.in), hence BUILD_INTERFACE.
+    target_link_libraries(bolide INTERFACE $<BUILD_INTERFACE:OpenMP::OpenMP_CXX>)
+  else()
+    message(STATUS "bolide: no OpenMP for ${CMAKE_CXX_COMPILER}: one thread")
+  endif()
+endif()
+
+if(BOLIDE_GSL)
+  find_package(GSL QUIET)
+  if(GSL_FOUND)
+    bolide_interface(bolide_gsl gsl ${bolide_gsl_headers})
+    target_link_libraries(bolide_gsl INTERFACE bolide GSL::gsl)
+  else()
+    message(STATUS "bolide: GSL not found: no bolide::gsl")
+  endif()
+endif()
+
+if(BOLIDE_PNG)
+  find_package(PNG QUIET)
+  if(PNG_FOUND)
+    bolide_interface(bolide_png png ${bolide_png_headers})
+    target_link_libraries(bolide_png INTERFACE bolide PNG::PNG)
+  else()
+    message(STATUS "bolide: libpng not found: no bolide::png")
+  endif()
+endif()
