@@ -40,9 +40,9 @@ inline constexpr spelled_unit density_units[] = {{"kg/m3", 1}, {"g/cm3", 1e3}, {
 
 struct dimension_entry {
   dimension what;
-  std::string_view name;       // with its article, for the sentences
+  std::string_view name; // with its article, for the sentences
   std::span<const spelled_unit> units;
-  std::string_view written;    // the units that format() chooses from, besides SI
+  std::string_view written; // the units that format() chooses from, besides SI
   std::string_view example;
 };
 inline constexpr dimension_entry dimensions[] = {
@@ -137,19 +137,19 @@ inline std::string written_in(const spelled_unit& unit, double si, dimension d) 
 }
 } // namespace detail
 
-/// Number and unit such that parse() gives exactly `si` back: the shortest such text, and among equals the one whose number lies
-/// between 1 and 1000. A quantity that is not finite is written as a bare inf or nan, which parse() refuses.
+/// Number and unit such that parse() gives exactly `si` back: the shortest such text, with a liking for numbers between 1 and
+/// 1000 (0.05mm rather than 5e-05m). A quantity that is not finite is written as a bare inf or nan, which parse() refuses.
 inline std::string format(double si, dimension d) {
   if (d == dimension::dimensionless || !std::isfinite(si)) return to_text(si);
   const auto& entry = detail::entry(d);
   std::string best = to_text(si).append(entry.units.front().name); // times one: exact for every double
   if (si == 0) return best;
-  std::size_t best_cost = 2 * best.size() + 1;
+  std::size_t best_cost = 2 * best.size() + 7;
   for (const auto& unit : entry.units) {
     if (unit.factor != 1 && !detail::lists(entry.written, unit.name)) continue;
     const auto text = detail::written_in(unit, si, d);
     const double size = std::fabs(si / unit.factor);
-    const std::size_t cost = 2 * text.size() + (size >= 1 && size < 1000 ? 0 : 1);
+    const std::size_t cost = 2 * text.size() + (size >= 0.01 && size < 1000 ? (size < 1 ? 1 : 0) : 6);
     if (text.empty() || cost >= best_cost) continue;
     best = text;
     best_cost = cost;
