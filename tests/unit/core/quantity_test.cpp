@@ -77,9 +77,9 @@ TEST(Quantity, WhatIsNoNumberIsRefused) {
 TEST(Quantity, WritesWhatPeopleWrite) {
   EXPECT_EQ(quantity::format(9.5 * unit::mm, dimension::length), "9.5mm");
   EXPECT_EQ(quantity::format(0.05 * unit::mm, dimension::length), "0.05mm");
-  EXPECT_EQ(quantity::format(1e-4, dimension::length), "100um");
+  EXPECT_EQ(quantity::format(1e-4, dimension::length), "0.1mm");
   EXPECT_EQ(quantity::format(2.2 * unit::mm, dimension::length), "2.2mm");
-  EXPECT_EQ(quantity::format(6640, dimension::velocity), "6640m/s");
+  EXPECT_EQ(quantity::format(6640, dimension::velocity), "6.64km/s");
   EXPECT_EQ(quantity::format(-300, dimension::velocity), "-300m/s");
   EXPECT_EQ(quantity::format(1.5 * unit::GPa, dimension::pressure), "1.5GPa");
   EXPECT_EQ(quantity::format(6.6 * unit::us, dimension::time), "6.6us");
