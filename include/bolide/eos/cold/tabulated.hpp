@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// A table of any cold curve for the time loop: few operations and one cache line per lane, its error measured when it is built.
+//
+// Nodes are uniform in the density ratio eta = 1/x (no logarithm to find the place). Between nodes
+//   g = p_c/eta^2 is the cubic Hermite polynomial of the exact values and slopes,  p_c = eta^2 g,
+//   e_c = e_c(node) + (1/rho0) integral of g d eta                                 (because de_c/d eta = p_c/(rho0 eta^2)),
+// so inside an interval p_c = -de_c/dV and slope = dp_c/dx hold exactly. p_c and its slope are continuous; e_c is exact at each
+// node and steps there by the quadrature error (part of the measured error).
+// Range: eta from 0 (x -> infinity: e_c -> cohesive energy, p_c -> 0) to eta_max; above it g goes on linearly in eta, so p_c grows
+// like eta^3 with p_c, e_c and slope continuous. A table of a curve that jumps (cai_ye with the sharp cut-off) cannot be better than
+// the jumps, about 1e-3 of (|p|+1 GPa), however fine.
+#pragma once
+
+#include "bolide/concepts/cold_curve.hpp"
+#include "bolide/core/math.hpp"
+#include "bolide/eos/polynomial_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace bolide::cold {
+
+/// The largest deviation of a table from its exact curve, sampled at five points inside every interval.
+struct table_error {
+  double pressure = 0; // |p - exact| / (|p| + 1 GPa)
+  double energy = 0;   // |e - exact| / (|e| + 1 GPa/rho0)
+  double slope = 0;    // |dp/dx - exact| / (|dp/dx| + 1 GPa)
+  double at_x = 0;     // where the pressure is worst
+};
+
+class tabulated {
+public:
+  /// eta_max: largest tabulated density ratio; per_unit: nodes per unit of eta.
+  template <class Exact> explicit tabulated(const Exact& exact, double eta_max = 5, int per_unit = 200)
+      : density_(exact.reference_density()), table_(make(eta_max, per_unit)) {
+    static_assert(ColdCurve<Exact>, "bolide: cold::tabulated needs a ColdCurve: evaluate(x) -> {energy, pressure, slope} and reference_density().");
+    fill(exact);
+    measure(exact);
+  }
+
+  template <class V> BOLIDE_INLINE cold_point<V> evaluate(V x) const { return at_density_ratio(V(1) / x); }
+
+  /// The same from eta = 1/x = rho/rho0, which saves a division.
+  template <class V> BOLIDE_INLINE cold_point<V> at_density_ratio(V eta) const {
+    using T = scalar_t<V>;
+    const auto at = table_.find(eta);
+    const V t = at.t, *c = at.c;
+    const V g = c[1] + t * (c[2] + t * (c[3] + t * c[4]));
+    const V dg = (c[2] + t * (T(2) * c[3] + t * (T(3) * c[4]))) * T(1 / table_.step());
+    const V area = t * (c[1] + t * (T(0.5) * c[2] + t * (T(1) / T(3) * c[3] + t * (T(0.25) * c[4]))));
+    const V eta2 = eta * eta;
+    return {c[0] + T(table_.step() / density_) * area, eta2 * g, -(eta2 * eta) * (T(2) * g + eta * dg)};
+  }
+
+  double reference_density() const { return density_; }
+  /// Measured when the table was built, for x <= 5 (eta from 0.2 to eta_max).
+  const table_error& error() const { return error_; }
+  /// The same for x > 5, where p_c has become small.
+  const table_error& error_expanded() const { return error_expanded_; }
+  /// The larger of the pressure's and the energy's error, anywhere.
+  double max_relative_error() const {
+    return std::max({error_.pressure, error_.energy, error_expanded_.pressure, error_expanded_.energy});
+  }
+  double eta_max() const { return table_.left(table_.rows() - 1); }
+  std::size_t intervals() const { return table_.rows() - 1; }
+
+private:
+  static eos::polynomial_table<5> make(double eta_max, int per_unit) {
+    require(eta_max >= 1 && eta_max <= 1000, "cold::tabulated eta_max", eta_max, "between 1 and 1000");
+    require(per_unit >= 10 && per_unit <= 100000, "cold::tabulated per_unit", per_unit, "between 10 and 100000");
+    return {0.0, 1.0 / per_unit, static_cast<std::size_t>(std::ceil(eta_max * per_unit)) + 1};
+  }
+
+  struct node {
+    double e, g, dg; // J/kg, Pa, Pa
+  };
+  /// eta = 0 is taken at x = 1e6.
+  template <class Exact> static node exact_node(const Exact& exact, double eta) {
+    eta = std::max(eta, 1e-6);
+    const cold_point<double> c = exact.evaluate(1 / eta);
+    return {c.energy, c.pressure / (eta * eta), -(c.slope / eta + 2 * c.pressure) / (eta * eta * eta)};
+  }
+
+  template <class Exact> void fill(const Exact& exact) {
+    const double h = table_.step();
+    node a = exact_node(exact, 0);
+    for (std::size_t i = 0; i + 1 < table_.rows(); ++i) {
+      const node b = exact_node(exact, table_.left(i + 1));
+      const double rise = b.g - a.g;
+      table_.set(i, {a.e, a.g, h * a.dg, 3 * rise - h * (2 * a.dg + b.dg), h * (a.dg + b.dg) - 2 * rise});
+      a = b;
+    }
+    table_.set(table_.rows() - 1, {a.e, a.g, h * a.dg, 0, 0});
+  }
+
+  template <class Exact> void measure(const Exact& exact) {
+    const double GPa = 1e9;
+    for (std::size_t i = 0; i < intervals(); ++i)
+      for (const double t : {0.02, 0.25, 0.5, 0.75, 0.98}) {
+        const double x = 1 / (table_.left(i) + t * table_.step());
+        const cold_point<double> a = evaluate(x), b = exact.evaluate(x);
+        table_error& worst = x <= 5 ? error_ : error_expanded_;
+        const double dp = std::abs(a.pressure - b.pressure) / (std::abs(b.pressure) + GPa);
+        if (dp > worst.pressure) worst.pressure = dp, worst.at_x = x;
+        worst.energy = std::max(worst.energy, std::abs(a.energy - b.energy) / (std::abs(b.energy) + GPa / density_));
+        worst.slope = std::max(worst.slope, std::abs(a.slope - b.slope) / (std::abs(b.slope) + GPa));
+      }
+  }
+
+  double density_; // kg/m3, 1/V0
+  eos::polynomial_table<5> table_;
+  table_error error_, error_expanded_;
+};
+
+static_assert(ColdCurve<tabulated> && ColdCurve<tabulated, pack<float, 4>>);
+
+} // namespace bolide::cold
