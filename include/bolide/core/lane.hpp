@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// A lane: the number that per-particle physics is written in.
+//
+// A per-particle function is a template on its number type. Instantiated with `double` or `float` it treats one particle; with
+// `pack<T, W>` it treats W particles at once in one SIMD register. A branch is written as `select(condition, yes, no)`, which
+// is a plain conditional for a scalar and a blend for a pack; a fast path for W equal answers asks `all(m)` or `any(m)`.
+//
+// The pack sits on the vector extensions of g++ and clang (no intrinsics but for the square root, which the compilers do not
+// offer there). W is 2, 4, 8 or 16; `native_pack<T>` is the widest register of the target.
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+#define BOLIDE_INLINE inline __attribute__((always_inline))
+
+namespace bolide {
+
+namespace detail {
+template <class T, int W> struct simd_register; // g++ refuses a vector_size that depends on a template parameter
+template <> struct simd_register<double, 2> { using value __attribute__((vector_size(16))) = double; using bits __attribute__((vector_size(16))) = std::int64_t; };
+template <> struct simd_register<double, 4> { using value __attribute__((vector_size(32))) = double; using bits __attribute__((vector_size(32))) = std::int64_t; };
+template <> struct simd_register<double, 8> { using value __attribute__((vector_size(64))) = double; using bits __attribute__((vector_size(64))) = std::int64_t; };
+template <> struct simd_register<float, 4> { using value __attribute__((vector_size(16))) = float; using bits __attribute__((vector_size(16))) = std::int32_t; };
+template <> struct simd_register<float, 8> { using value __attribute__((vector_size(32))) = float; using bits __attribute__((vector_size(32))) = std::int32_t; };
+template <> struct simd_register<float, 16> { using value __attribute__((vector_size(64))) = float; using bits __attribute__((vector_size(64))) = std::int32_t; };
+} // namespace detail
+
+/// W answers to a comparison of packs: every bit of an element is set where the answer is yes.
+template <class T, int W> struct lane_mask {
+  using bits_type = typename detail::simd_register<T, W>::bits;
+  bits_type bits;
+
+  bool operator[](int lane) const { return bits[lane] != 0; }
+  friend BOLIDE_INLINE lane_mask operator&&(lane_mask a, lane_mask b) { return {a.bits & b.bits}; }
+  friend BOLIDE_INLINE lane_mask operator||(lane_mask a, lane_mask b) { return {a.bits | b.bits}; }
+  friend BOLIDE_INLINE lane_mask operator!(lane_mask a) { return {~a.bits}; }
+};
+
+/// W numbers that are treated as one.
+template <class T, int W> struct pack {
+  using scalar = T;
+  using value_type = typename detail::simd_register<T, W>::value;
+  using mask = lane_mask<T, W>;
+  static constexpr int width = W;
+  value_type v;
+
+  pack() = default;
+  BOLIDE_INLINE pack(value_type x) : v(x) {}
+  template <class S>
+    requires std::is_arithmetic_v<S>
+  BOLIDE_INLINE pack(S x) : v(static_cast<T>(x) - value_type{}) {}
+
+  BOLIDE_INLINE static pack load(const T* from) {
+    pack r;
+    std::memcpy(&r.v, from, sizeof r.v);
+    return r;
+  }
+  BOLIDE_INLINE void store(T* to) const { std::memcpy(to, &v, sizeof v); }
+  T operator[](int lane) const { return v[lane]; }
+  void set(int lane, T x) { v[lane] = x; }
+
+  friend BOLIDE_INLINE pack operator+(pack a, pack b) { return a.v + b.v; }
+  friend BOLIDE_INLINE pack operator-(pack a, pack b) { return a.v - b.v; }
+  friend BOLIDE_INLINE pack operator*(pack a, pack b) { return a.v * b.v; }
+  friend BOLIDE_INLINE pack operator/(pack a, pack b) { return a.v / b.v; }
+  friend BOLIDE_INLINE pack operator-(pack a) { return -a.v; }
+  BOLIDE_INLINE pack& operator+=(pack b) { v += b.v; return *this; }
+  BOLIDE_INLINE pack& operator-=(pack b) { v -= b.v; return *this; }
+  BOLIDE_INLINE pack& operator*=(pack b) { v *= b.v; return *this; }
+  BOLIDE_INLINE pack& operator/=(pack b) { v /= b.v; return *this; }
+  friend BOLIDE_INLINE mask operator<(pack a, pack b) { return {a.v < b.v}; }
+  friend BOLIDE_INLINE mask operator>(pack a, pack b) { return {a.v > b.v}; }
+  friend BOLIDE_INLINE mask operator<=(pack a, pack b) { return {a.v <= b.v}; }
+  friend BOLIDE_INLINE mask operator>=(pack a, pack b) { return {a.v >= b.v}; }
+  friend BOLIDE_INLINE mask operator==(pack a, pack b) { return {a.v == b.v}; }
+  friend BOLIDE_INLINE mask operator!=(pack a, pack b) { return {a.v != b.v}; }
+};
+
+namespace detail {
+template <class V> struct lane_traits { using scalar = V; using mask = bool; static constexpr int width = 1; };
+template <class T, int W> struct lane_traits<pack<T, W>> { using scalar = T; using mask = lane_mask<T, W>; static constexpr int width = W; };
+} // namespace detail
+
+/// double or float behind a lane type.
+template <class V> using scalar_t = typename detail::lane_traits<V>::scalar;
+/// What a comparison of V gives: bool or lane_mask.
+template <class V> using mask_t = typename detail::lane_traits<V>::mask;
+/// Particles per lane value.
+template <class V> inline constexpr int lane_width = detail::lane_traits<V>::width;
+
+/// The number types that per-particle physics is written for.
+template <class V>
+concept Lane = std::floating_point<V> || (std::floating_point<scalar_t<V>> && lane_width<V> > 1);
+
+#if defined(__AVX512F__)
+inline constexpr int native_bytes = 64;
+#elif defined(__AVX__)
+inline constexpr int native_bytes = 32;
+#else
+inline constexpr int native_bytes = 16;
+#endif
+template <class T> inline constexpr int native_width = native_bytes / int(sizeof(T));
+template <class T> using native_pack = pack<T, native_width<T>>;
+
+// ---- branches ---------------------------------------------------------------------------------------------------------------
+template <std::floating_point T> BOLIDE_INLINE T select(bool m, std::type_identity_t<T> yes, T no) { return m ? yes : no; }
+template <std::floating_point T> BOLIDE_INLINE T select(bool m, T yes, int no) { return m ? yes : T(no); }
+template <class T, int W> BOLIDE_INLINE pack<T, W> select(lane_mask<T, W> m, std::type_identity_t<pack<T, W>> yes, std::type_identity_t<pack<T, W>> no) {
+  return m.bits ? yes.v : no.v;
+}
+BOLIDE_INLINE bool any(bool m) { return m; }
+BOLIDE_INLINE bool all(bool m) { return m; }
+template <class T, int W> BOLIDE_INLINE bool any(lane_mask<T, W> m) {
+  std::uint64_t word[sizeof(m.bits) / 8], sum = 0;
+  std::memcpy(word, &m.bits, sizeof m.bits);
+  for (auto w : word) sum |= w;
+  return sum != 0;
+}
+template <class T, int W> BOLIDE_INLINE bool all(lane_mask<T, W> m) { return !any(!m); }
+BOLIDE_INLINE int count(bool m) { return m ? 1 : 0; }
+template <class T, int W> BOLIDE_INLINE int count(lane_mask<T, W> m) {
+  int n = 0;
+  for (int i = 0; i < W; ++i) n += m[i] ? 1 : 0;
+  return n;
+}
+/// The first n lanes (all of a scalar's single one).
+template <class V> BOLIDE_INLINE mask_t<V> first_lanes(int n) {
+  if constexpr (lane_width<V> == 1) return n > 0;
+  else {
+    V index;
+    for (int i = 0; i < lane_width<V>; ++i) index.set(i, scalar_t<V>(i));
+    return index < V(scalar_t<V>(n));
+  }
+}
+
+// ---- lanes and memory -------------------------------------------------------------------------------------------------------
+template <class V> BOLIDE_INLINE V load(const scalar_t<V>* from) {
+  if constexpr (lane_width<V> == 1) return *from;
+  else return V::load(from);
+}
+template <std::floating_point T> BOLIDE_INLINE void store(T x, T* to) { *to = x; }
+template <class T, int W> BOLIDE_INLINE void store(pack<T, W> x, T* to) { x.store(to); }
+template <std::floating_point T> BOLIDE_INLINE T lane(T x, int) { return x; }
+template <class T, int W> BOLIDE_INLINE T lane(pack<T, W> x, int i) { return x[i]; }
+/// from[index[i]] for each lane i.
+template <class V, class Index> BOLIDE_INLINE V gather(const scalar_t<V>* from, const Index& index) {
+  if constexpr (lane_width<V> == 1) return from[index[0]];
+  else {
+    V r;
+    for (int i = 0; i < lane_width<V>; ++i) r.set(i, from[index[i]]);
+    return r;
+  }
+}
+/// floor of each lane as integers; |x| < 2^31.
+template <class V> BOLIDE_INLINE void floor_to_int(V x, std::int32_t* to) {
+  for (int i = 0; i < lane_width<V>; ++i) {
+    const auto xi = lane(x, i);
+    const auto t = static_cast<std::int32_t>(xi);
+    to[i] = t - (xi < static_cast<scalar_t<V>>(t) ? 1 : 0);
+  }
+}
+
+} // namespace bolide

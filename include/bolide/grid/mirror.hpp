@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// Mirror plane on a grid line: the symmetry axis of r-z, a symmetry plane, a slip wall - one idea.
+//
+// The material has a mirror image beyond the plane. Image particles give to real nodes what real particles give to image nodes, so
+// after every sum over particles a node and its image both hold (own sum) + (reflected sum of the other); the component normal to the
+// plane changes sign under reflection and vanishes on the plane. With linear shapes no particle reaches an image node and only
+// the condition on the plane is left.
+#pragma once
+
+#include "bolide/core/contract.hpp"
+#include "bolide/grid/sparse.hpp"
+
+#include <cmath>
+#include <string>
+
+namespace bolide::grid {
+
+/// The user's choice: plane normal to `axis` through `position` (m), material on the side of larger coordinates or not.
+struct mirror {
+  int axis = 0;
+  double position = 0;
+  bool material_above = true;
+};
+
+/// A mirror on a particular grid: the node pairs that it couples. Made anew with every rebuild of the blocks.
+template <int Dim> class mirror_nodes {
+public:
+  mirror_nodes(const mirror& m, double spacing) : axis_(static_cast<std::size_t>(m.axis)), above_(m.material_above) {
+    require(m.axis >= 0 && m.axis < Dim, "mirror axis", m.axis, "an axis of the space, 0 to " + std::to_string(Dim - 1));
+    const double line = m.position / spacing;
+    line_ = static_cast<std::int32_t>(std::lround(line));
+    require(std::abs(line - line_) < 1e-9 * std::max(1.0, std::abs(line)), "mirror position", m.position,
+            "on a grid line (a multiple of the grid spacing " + to_text(spacing) + " m)", "m");
+  }
+
+  void rebuild(const block_map<Dim>& map) {
+    using index = cell_index<Dim>;
+    pairs_.clear();
+    plane_.clear();
+    image_.assign(map.size() * block_map<Dim>::nodes_per_block, 0);
+    for (std::size_t b = 0; b < map.size(); ++b) {
+      for (int local = 0; local < block_map<Dim>::nodes_per_block; ++local) {
+        index at;
+        int rest = local;
+        for (int d = Dim - 1; d >= 0; --d) {
+          at[static_cast<std::size_t>(d)] = map.coordinate(b)[static_cast<std::size_t>(d)] * block_map<Dim>::side + rest % block_map<Dim>::side;
+          rest /= block_map<Dim>::side;
+        }
+        const auto node = static_cast<std::int32_t>(b) * block_map<Dim>::nodes_per_block + local;
+        const std::int32_t depth = above_ ? line_ - at[axis_] : at[axis_] - line_; // > 0: beyond the plane
+        if (depth == 0) plane_.push_back(node);
+        if (depth <= 0) continue;
+        image_[static_cast<std::size_t>(node)] = 1;
+        if (depth > reach) continue;
+        at[axis_] = 2 * line_ - at[axis_];
+        if (const auto real = map.node(at); real >= 0) pairs_.push_back({node, real});
+      }
+    }
+  }
+
+  /// Completes sums over particles; component `first + axis` is the one normal to the plane (first < 0: none is).
+  template <class Values> void complete(std::vector<Values>& sums, int first) const {
+    const int normal = first < 0 ? -1 : first + static_cast<int>(axis_);
+    for (const auto& [image, real] : pairs_) {
+      Values& a = sums[static_cast<std::size_t>(image)];
+      Values& b = sums[static_cast<std::size_t>(real)];
+      if (normal >= 0) a[normal] = -a[normal];
+      b += a;
+      a = b;
+      if (normal >= 0) a[normal] = -a[normal];
+    }
+    if (normal >= 0)
+      for (const auto node : plane_) sums[static_cast<std::size_t>(node)][normal] = 0;
+  }
+  /// Is this node beyond the plane? Such a node is a copy and must not be counted in sums over nodes.
+  bool is_image(std::size_t node) const { return image_[node] != 0; }
+  std::size_t axis() const { return axis_; }
+  std::int32_t line() const { return line_; }
+  bool material_above() const { return above_; }
+
+private:
+  static constexpr int reach = 2; // image nodes deeper than this are touched by no shape function of the library
+  struct node_pair {
+    std::int32_t image, real;
+  };
+  std::size_t axis_;
+  bool above_;
+  std::int32_t line_ = 0;
+  std::vector<node_pair> pairs_;
+  std::vector<std::int32_t> plane_;
+  std::vector<char> image_;
+};
+
+} // namespace bolide::grid

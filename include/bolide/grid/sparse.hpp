@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+// Block-sparse background grid: blocks of nodes exist where material is and one block around, and nowhere else.
+//
+// There is no box to guess: a particle may fly as far as 2^30 cells. A block has `side`^dim nodes. Particles are kept sorted by the
+// block of their cell; between two sorts they may drift by `margin` cells out of it, so that a block's particles touch nodes of
+// that block and of its direct neighbours only. They work on a `window`: a small dense copy of the nodes that they touch.
+// Blocks of one colour (parity of their coordinates: 2^dim colours) touch disjoint nodes, so windows of one colour may be added
+// back by any number of threads in any order with the same bits.
+#pragma once
+
+#include "bolide/core/algebra.hpp"
+#include "bolide/core/contract.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace bolide::grid {
+
+/// The user's choice: cells of one size h (m), node (0, 0, ...) at the origin of coordinates.
+struct sparse {
+  double spacing;
+  explicit sparse(double h) : spacing(h) { require(h > 0 && h < 1e9, "grid spacing", h, "positive and finite", "m"); }
+};
+
+template <int Dim> using cell_index = std::array<std::int32_t, static_cast<std::size_t>(Dim)>;
+
+/// The blocks that exist, in lexicographic order (so that every sum over nodes has a fixed order), with their neighbour tables.
+template <int Dim> class block_map {
+public:
+  static constexpr int side = Dim == 1 ? 16 : Dim == 2 ? 8 : 4;
+  static constexpr int margin = Dim == 3 ? 1 : 2; // cells that a particle may drift out of its block between two sorts
+  static constexpr int nodes_per_block = Dim == 1 ? side : Dim == 2 ? side * side : side * side * side;
+  static constexpr int neighbours = Dim == 1 ? 3 : Dim == 2 ? 9 : 27;
+  static constexpr int colours = 1 << Dim;
+  using index = cell_index<Dim>;
+
+  static index block_of(const index& cell) {
+    index b;
+    for (std::size_t d = 0; d < Dim; ++d) b[d] = floor_div(cell[d]);
+    return b;
+  }
+  static int colour_of(const index& block) {
+    int c = 0;
+    for (std::size_t d = 0; d < Dim; ++d) c = 2 * c + (block[d] & 1);
+    return c;
+  }
+
+  /// Makes the occupied blocks and all their direct neighbours exist, and no other.
+  void rebuild(std::vector<index> occupied) {
+    std::sort(occupied.begin(), occupied.end());
+    occupied.erase(std::unique(occupied.begin(), occupied.end()), occupied.end());
+    blocks_.clear();
+    for (const auto& b : occupied)
+      for (int n = 0; n < neighbours; ++n) blocks_.push_back(shifted(b, n));
+    std::sort(blocks_.begin(), blocks_.end());
+    blocks_.erase(std::unique(blocks_.begin(), blocks_.end()), blocks_.end());
+  }
+
+  std::size_t size() const { return blocks_.size(); }
+  const index& coordinate(std::size_t block) const { return blocks_[block]; }
+  /// Position of a block in the list, -1 where there is none.
+  std::int32_t find(const index& block) const {
+    const auto it = std::lower_bound(blocks_.begin(), blocks_.end(), block);
+    return it != blocks_.end() && *it == block ? static_cast<std::int32_t>(it - blocks_.begin()) : -1;
+  }
+  std::array<std::int32_t, neighbours> neighbourhood(const index& block) const {
+    std::array<std::int32_t, neighbours> n;
+    for (int i = 0; i < neighbours; ++i) n[static_cast<std::size_t>(i)] = find(shifted(block, i));
+    return n;
+  }
+  /// Global number of a node given by its cell index, -1 where its block does not exist.
+  std::int32_t node(const index& at) const {
+    const auto b = find(block_of(at));
+    if (b < 0) return -1;
+    std::int32_t local = 0;
+    for (std::size_t d = 0; d < Dim; ++d) local = local * side + (at[d] - side * floor_div(at[d]));
+    return b * nodes_per_block + local;
+  }
+
+private:
+  static std::int32_t floor_div(std::int32_t i) { return i >= 0 ? i / side : -((side - 1 - i) / side); }
+  static index shifted(index b, int n) { // n-th of the 3^Dim neighbours, the block itself in the middle; last axis fastest
+    for (int d = Dim - 1; d >= 0; --d) {
+      b[static_cast<std::size_t>(d)] += n % 3 - 1;
+      n /= 3;
+    }
+    return b;
+  }
+  std::vector<index> blocks_;
+};
+
+/// A rectangle of nodes relative to a block's first node, both ends included.
+template <int Dim> struct node_range {
+  std::array<int, static_cast<std::size_t>(Dim)> low, high;
+};
+
+/// Dense copy of the nodes of a node_range. Row stride is fixed, so that the offset of a node of the stencil is a constant.
+template <int Dim, class Values> struct window {
+  using map = block_map<Dim>;
+  static constexpr int stride = 2 * map::side;
+  static constexpr int reach = map::side / 2; // offset 0 is the node at -reach on every axis
+  static constexpr int size = Dim == 1 ? stride : Dim == 2 ? stride * stride : stride * stride * stride;
+  alignas(64) std::array<Values, static_cast<std::size_t>(size)> node;
+
+  static int offset(const std::array<int, static_cast<std::size_t>(Dim)>& at) {
+    int o = 0;
+    for (std::size_t d = 0; d < Dim; ++d) o = o * stride + (at[d] + reach);
+    return o;
+  }
+};
+
+/// Calls f(first node in the column, first node in the window, count) for every run of nodes of `range` that is contiguous in a block.
+template <int Dim, class F>
+inline void for_each_run(const std::array<std::int32_t, block_map<Dim>::neighbours>& near, const node_range<Dim>& range, F&& f) {
+  using map = block_map<Dim>;
+  using win = window<Dim, char>;
+  constexpr int side = map::side;
+  constexpr auto last = static_cast<std::size_t>(Dim - 1);
+  std::array<int, static_cast<std::size_t>(Dim)> at = range.low;
+  for (;;) {
+    int block = 0, local = 0; // of the row, without the last axis
+    for (std::size_t d = 0; d < last; ++d) {
+      block = block * 3 + (at[d] + side) / side;
+      local = local * side + (at[d] + side) % side;
+    }
+    for (int j = range.low[last]; j <= range.high[last];) {
+      const int bj = (j + side) / side, lj = (j + side) % side;
+      const int run = std::min(range.high[last] - j + 1, side - lj);
+      at[last] = j;
+      f(near[static_cast<std::size_t>(block * 3 + bj)] * map::nodes_per_block + local * side + lj, win::offset(at), run);
+      j += run;
+    }
+    at[last] = range.low[last];
+    int d = Dim - 2;
+    for (; d >= 0; --d) {
+      if (++at[static_cast<std::size_t>(d)] <= range.high[static_cast<std::size_t>(d)]) break;
+      at[static_cast<std::size_t>(d)] = range.low[static_cast<std::size_t>(d)];
+    }
+    if (d < 0) return;
+  }
+}
+
+} // namespace bolide::grid

@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: MIT
+// A material ties an equation of state, a strength, a failure law and an artificial viscosity together: the constitutive update.
+//
+//   D = tr L,  V <- V J,  J = det(I + dt L) with L at the beginning of the motion (MUSL), 1/det(I - dt L) with L at its end (USF)
+//   s <- s + dt (Jaumann rate + 2 G dev D), then radial return to the yield stress (paper eq. 10, 11)
+//   q = viscosity(rho, c, D);   p, c, T = eos(rho, e*);   failure
+// Energy is not advanced here: the work of the nodal forces does that at the end of the step (solver/sweeps.hpp, `work`), so that
+// total energy holds. It therefore lives at the middle of steps, and the equation of state is given the prediction
+//   e* = e + dt/2 (sigma : D) / rho - e_shear,    e_shear = s:s / (4 G rho)   (elastic shear energy is no heat),
+// second order in dt.
+//
+// Failed points. A failed point carries no shear and no tension. When it expands further, its material stays at the volume
+// V_m of zero pressure (p(V_m, e) = 0, one Newton step per time step: dV = V p / (rho c^2)) and a void opens: V = V_m + void. It
+// carries pressure again when the void has closed. Density, temperature and phase are those of V_m, so that they mean something.
+#pragma once
+
+#include "bolide/concepts/equation_of_state.hpp"
+#include "bolide/concepts/failure.hpp"
+#include "bolide/concepts/strength.hpp"
+#include "bolide/core/contract.hpp"
+#include "bolide/core/field.hpp"
+#include "bolide/core/math.hpp"
+#include "bolide/material/report.hpp"
+#include "bolide/viscosity/bulk.hpp"
+
+#include <cstddef>
+
+namespace bolide {
+
+namespace record {
+/// Record nothing.
+struct none { using particle_fields = fields<>; };
+/// Keep the largest pressure that each particle ever had.
+struct peak_pressure { using particle_fields = fields<field::peak_pressure>; };
+} // namespace record
+
+namespace detail {
+/// Whatever an equation of state gives, as a thermal point (temperatures zero where it has none).
+template <class Eos, class V> BOLIDE_INLINE thermal_point<V> evaluate_all(const Eos& eos, V rho, V e) {
+  if constexpr (ThermalEquationOfState<Eos>) return eos.evaluate(rho, e);
+  else {
+    const auto p = eos.evaluate(rho, e);
+    return {p.pressure, p.sound_speed_squared, V(0), V(0), V(0), V(0), V(0)};
+  }
+}
+template <class V> BOLIDE_INLINE double sum(V x, int n) {
+  double s = 0;
+  for (int i = 0; i < n; ++i) s += static_cast<double>(lane(x, i));
+  return s;
+}
+/// Stores the first n lanes.
+template <class V> BOLIDE_INLINE void store_first(V x, scalar_t<V>* to, int n) {
+  if (n == lane_width<V>) store(x, to);
+  else
+    for (int i = 0; i < n; ++i) to[i] = lane(x, i);
+}
+} // namespace detail
+
+template <class Eos, class Strength, class Failure, class Viscosity = viscosity::bulk, class Record = record::none> class material {
+  static_assert(bolide::EquationOfState<Eos>, "bolide: material: the first argument is no equation of state: it must have evaluate(rho, e) that "
+                                              "gives pressure and sound_speed_squared, and reference_density()");
+  static_assert(bolide::Strength<Strength>, "bolide: material: the second argument is no strength: it must have particle_fields, carries_shear, "
+                                            "wants_temperature and, if it carries shear, shear_modulus, yield_stress and yield_floor");
+  static_assert(bolide::Failure<Failure>, "bolide: material: the third argument is no failure law: it must have particle_fields, may_fail, "
+                                          "wants_temperature and, if it may fail, fails(p, T, T_m, melt_fraction)");
+  static_assert(!Strength::wants_temperature || ThermalEquationOfState<Eos>,
+                "bolide: material: this strength wants a temperature and the equation of state gives none; wrap it in eos::isentrope_temperature");
+  static_assert(!Failure::wants_temperature || ThermalEquationOfState<Eos>,
+                "bolide: material: this failure law wants a temperature and the equation of state gives none; wrap it in eos::isentrope_temperature");
+
+public:
+  using particle_fields = field_union_t<fields<field::mass, field::volume, field::energy, field::pressure>, typename Strength::particle_fields,
+                                        typename Failure::particle_fields, typename Viscosity::particle_fields, typename Record::particle_fields>;
+  static constexpr bool thermal = ThermalEquationOfState<Eos>;
+
+  Eos eos;
+  Strength strength;
+  Failure failure;
+  Viscosity viscosity;
+  double sound_speed_floor = 0.05;   // least sound speed over that of the reference state
+  double expansion_limit = 1e6;      // most volume over the reference volume
+
+  material(Eos e, Strength s, Failure f, Viscosity v = Viscosity(), Record = Record())
+      : eos(std::move(e)), strength(s), failure(f), viscosity(v), c2_reference_(eos.evaluate(eos.reference_density(), 0.0).sound_speed_squared) {
+    require(c2_reference_ > 0, "sound speed squared at the reference density", c2_reference_, "positive", "m2/s2");
+    if constexpr (requires { strength.validate(); }) strength.validate();
+  }
+
+  /// Gives n particles from `begin` their state: density (kg/m3) and specific energy (J/kg); mass must be set.
+  template <class Columns> void initialise(Columns& p, std::size_t begin, std::size_t n, double density, double energy) const {
+    using T = typename Columns::scalar;
+    require(density > 0, "initial density", density, "positive", "kg/m3");
+    const auto at = eos.evaluate(density, energy);
+    require(at.sound_speed_squared > 0, "sound speed squared of the initial state", at.sound_speed_squared, "positive", "m2/s2");
+    for (std::size_t i = begin; i < begin + n; ++i) {
+      const double mass = static_cast<double>(p.template get<field::mass>()[i]);
+      p.template get<field::volume>()[i] = static_cast<T>(mass / density);
+      p.template get<field::energy>()[i] = static_cast<T>(energy);
+      p.template get<field::pressure>()[i] = static_cast<T>(at.pressure);
+      if constexpr (Viscosity::present) p.template get<field::sound_speed>()[i] = static_cast<T>(std::sqrt(at.sound_speed_squared));
+      if constexpr (Failure::may_fail) p.template get<field::material_volume>()[i] = static_cast<T>(mass / density);
+    }
+  }
+
+  /// The constitutive update of n <= chunk_size particles from `begin`; l[c][k] is component c of the velocity gradient of particle k.
+  template <class Space, class Columns>
+  void update(Columns& p, std::size_t begin, int n, const typename Columns::scalar (*l)[chunk_size], const step_context<typename Columns::scalar>& step,
+              update_report& report) const {
+    using V = native_pack<typename Columns::scalar>;
+    for (int k = 0; k < n; k += lane_width<V>) update_lane<Space, V>(p, begin + static_cast<std::size_t>(k), std::min(n - k, lane_width<V>), l, k, step, report);
+  }
+
+  /// The work of the nodal forces: e += dt sigma : D V/m with the stress that made the forces and the time-centred gradient l.
+  template <class Space, class Columns>
+  void work(Columns& p, std::size_t begin, int n, const typename Columns::scalar (*l)[chunk_size], typename Columns::scalar dt, update_report& report) const {
+    using V = native_pack<typename Columns::scalar>;
+    for (int k = 0; k < n; k += lane_width<V>) work_lane<Space, V>(p, begin + static_cast<std::size_t>(k), std::min(n - k, lane_width<V>), l, k, dt, report);
+  }
+
+  /// Everything that the equation of state knows of particle i (at the material's own volume).
+  template <class Columns> thermal_point<double> thermodynamics(const Columns& p, std::size_t i) const {
+    const double mass = static_cast<double>(p.template get<field::mass>()[i]);
+    return detail::evaluate_all(eos, mass / material_volume(p, i), static_cast<double>(p.template get<field::energy>()[i]) - shear_energy(p, i));
+  }
+  template <class Columns> double material_volume(const Columns& p, std::size_t i) const {
+    if constexpr (Failure::may_fail)
+      if (p.template get<field::failed>()[i] > 0) return static_cast<double>(p.template get<field::material_volume>()[i]);
+    return static_cast<double>(p.template get<field::volume>()[i]);
+  }
+  /// Elastic shear energy of particle i, J/kg.
+  template <class Columns> double shear_energy(const Columns& p, std::size_t i) const {
+    if constexpr (Strength::carries_shear) {
+      const double v = static_cast<double>(p.template get<field::volume>()[i]), m = static_cast<double>(p.template get<field::mass>()[i]);
+      return contract_stored(p, i) * v / (4 * strength.shear_modulus * m);
+    } else return 0;
+  }
+
+private:
+  double c2_reference_;
+
+  template <class Columns> double contract_stored(const Columns& p, std::size_t i) const {
+    using space = typename Columns::space;
+    typename space::template deviator<double> s;
+    for (int c = 0; c < space::deviator_size; ++c) s[static_cast<std::size_t>(c)] = static_cast<double>(p.template get<field::deviator>(c)[i]);
+    return space::contract(s, s);
+  }
+
+  template <class Space, class V, class Columns> static BOLIDE_INLINE typename Space::template deviator<V> load_deviator(const Columns& p, std::size_t at) {
+    typename Space::template deviator<V> s{};
+    if constexpr (Strength::carries_shear)
+      for (int c = 0; c < Space::deviator_size; ++c) s[static_cast<std::size_t>(c)] = load<V>(p.template get<field::deviator>(c) + at);
+    return s;
+  }
+  template <class Space, class V, class Scalar> static BOLIDE_INLINE typename Space::template gradient<V> load_gradient(const Scalar (*l)[chunk_size], int k) {
+    typename Space::template gradient<V> g;
+    for (int c = 0; c < Space::gradient_size; ++c) g[static_cast<std::size_t>(c)] = load<V>(l[c] + k);
+    return g;
+  }
+
+  template <class Space, class V, class Columns>
+  void update_lane(Columns& p, std::size_t at, int n, const scalar_t<V> (*gradients)[chunk_size], int k, const step_context<scalar_t<V>>& step,
+                   update_report& report) const {
+    using T = scalar_t<V>;
+    const V zero(T(0)), one(T(1)), dt(step.dt);
+    const auto active = first_lanes<V>(n);
+    const auto l = load_gradient<Space, V>(gradients, k);
+    const V mass = load<V>(p.template get<field::mass>() + at), e = load<V>(p.template get<field::energy>() + at);
+    const V p_old = load<V>(p.template get<field::pressure>() + at);
+
+    // kinematics
+    const V divergence = Space::divergence(l);
+    const V ratio = step.gradient_at_end ? one / Space::jacobian(l, -dt) : Space::jacobian(l, dt);
+    V volume = load<V>(p.template get<field::volume>() + at) * ratio;
+    const V largest = mass * T(expansion_limit / eos.reference_density());
+    if (const auto over = volume > largest && active; any(over)) {
+      report.floors.add(floor_kind::expansion, count(over));
+      volume = select(over, largest, volume);
+    }
+    const V rho = mass / volume;
+
+    // elastic trial of the deviator, artificial viscosity
+    auto s = load_deviator<Space, V>(p, at);
+    const auto rate = Space::deviatoric_rate(l);
+    V shear_power = zero, shear_energy = zero;
+    if constexpr (Strength::carries_shear) {
+      shear_power = Space::contract(s, rate);
+      shear_energy = Space::contract(s, s) / (rho * T(4 * strength.shear_modulus));
+      const auto spin = Space::jaumann_rate(s, l);
+      for (std::size_t c = 0; c < Space::deviator_size; ++c) s[c] = s[c] + dt * (spin[c] + T(2 * strength.shear_modulus) * rate[c]);
+    }
+    V c_old = zero, q = zero;
+    if constexpr (Viscosity::present) {
+      c_old = load<V>(p.template get<field::sound_speed>() + at);
+      q = viscosity.pressure(rho, c_old, divergence, step.cell);
+    }
+
+    // equation of state, at the material's own volume
+    V eos_volume = volume;
+    auto failed = volume < zero; // none
+    if constexpr (Failure::may_fail) {
+      failed = load<V>(p.template get<field::failed>() + at) > zero;
+      eos_volume = select(failed, min(volume, load<V>(p.template get<field::material_volume>() + at)), volume);
+    }
+    const V predicted = e - shear_energy + T(0.5) * dt * (shear_power - (p_old + q) * divergence) / rho;
+    const V eos_rho = mass / eos_volume;
+    const thermal_point<V> state = detail::evaluate_all(eos, eos_rho, predicted);
+    V pressure = state.pressure;
+    const V c2_floor(T(sound_speed_floor * sound_speed_floor * c2_reference_));
+    if (const auto low = !(state.sound_speed_squared >= c2_floor) && active; any(low)) report.floors.add(floor_kind::sound_speed, count(low));
+    const V c2 = max(state.sound_speed_squared, c2_floor);
+    if constexpr (thermal)
+      if (const auto below = state.temperature < zero && active; any(below)) report.floors.add(floor_kind::cold_energy, count(below));
+    if constexpr (requires { eos.outside_validity(eos_rho, predicted); })
+      if (const auto outside = eos.outside_validity(eos_rho, predicted) && active; any(outside)) report.floors.add(floor_kind::validity, count(outside));
+
+    // failure, and the void that opens around failed material
+    if constexpr (Failure::may_fail) {
+      const auto now = !failed && failure.fails(pressure, state.temperature, state.melting_temperature, state.melt_fraction);
+      if (any(now && active)) {
+        const V tension = min(pressure, zero); // elastic energy p^2 / (2 rho c^2) and that of shear turn to heat
+        const V released = select(now, volume * T(0.5) * tension * tension / (rho * c2) + mass * shear_energy, zero);
+        report.failure_release += detail::sum(released, n);
+      }
+      failed = failed || now;
+      if (any(failed && active)) {
+        const V step_back = pressure / (eos_rho * c2);
+        const V limited = clip(step_back, V(T(-0.2)), V(T(0.25)));
+        const auto open = volume > eos_volume || pressure < zero;
+        if (const auto cut = failed && open && active && limited != step_back; any(cut)) report.floors.add(floor_kind::void_iteration, count(cut));
+        const V without_void = select(failed && open, min(volume, eos_volume * (one + limited)), volume);
+        pressure = select(failed && open, zero, pressure);
+        detail::store_first(without_void, p.template get<field::material_volume>() + at, n);
+        detail::store_first(select(failed, one, zero), p.template get<field::failed>() + at, n);
+      }
+    }
+
+    // radial return
+    V wave2 = c2;
+    if constexpr (Strength::carries_shear) {
+      const T g = T(strength.shear_modulus);
+      const V equivalent = sqrt(T(1.5) * Space::contract(s, s));
+      const V rate_equivalent = sqrt(T(2.0 / 3) * Space::contract(rate, rate));
+      V scale = select(failed, zero, one);
+      const auto may_yield = !failed && equivalent > strength.yield_floor(state.temperature, state.melting_temperature);
+      if (any(may_yield && active)) {
+        const V strain = load<V>(p.template get<field::plastic_strain>() + at);
+        const V yield = strength.yield_stress(strain, rate_equivalent, state.temperature, state.melting_temperature);
+        const auto yields = may_yield && equivalent > yield;
+        const V increment = select(yields, (equivalent - yield) / (T(3) * g), zero);
+        scale = select(yields, yield / equivalent, scale);
+        detail::store_first(strain + increment, p.template get<field::plastic_strain>() + at, n);
+        report.plastic_work += detail::sum(volume * yield * increment, n);
+      }
+      for (int c = 0; c < Space::deviator_size; ++c)
+        detail::store_first(select(failed, zero, s[static_cast<std::size_t>(c)] * scale), p.template get<field::deviator>(c) + at, n);
+      wave2 = c2 + select(failed, zero, V(T(4.0 / 3) * g) / rho);
+    }
+
+    detail::store_first(volume, p.template get<field::volume>() + at, n);
+    detail::store_first(pressure, p.template get<field::pressure>() + at, n);
+    if constexpr (Viscosity::present) {
+      detail::store_first(q, p.template get<field::viscous_pressure>() + at, n);
+      detail::store_first(sqrt(c2), p.template get<field::sound_speed>() + at, n);
+    }
+    if constexpr (particle_fields::template contains<field::peak_pressure>)
+      detail::store_first(max(pressure, load<V>(p.template get<field::peak_pressure>() + at)), p.template get<field::peak_pressure>() + at, n);
+
+    limit_step<Space, V>(p, at, n, l, divergence, wave2, sqrt(c2), step, report);
+  }
+
+  /// Finds the particle that asks for the shortest step: courant h / (Q + sqrt(Q^2 + c^2) + |v|), and 0.25 / |L|.
+  template <class Space, class V, class Columns>
+  BOLIDE_INLINE void limit_step(const Columns& p, std::size_t at, int n, const typename Space::template gradient<V>& l, V divergence, V wave2, V c,
+                                const step_context<scalar_t<V>>& step, update_report& report) const {
+    using T = scalar_t<V>;
+    const V q_speed = viscosity.signal_speed(c, divergence, step.cell);
+    const V signal = q_speed + sqrt(q_speed * q_speed + wave2);
+    V v2 = V(T(0));
+    for (int d = 0; d < Space::dim; ++d) v2 = v2 + square(load<V>(p.template get<field::velocity>(d) + at));
+    const V speed = sqrt(v2);
+    const V travel = (signal + speed) / (step.courant * step.cell), strain = Space::magnitude(l) * T(4);
+    const V wanted = max(travel, strain);
+    const T best = static_cast<T>(report.limit.rate);
+    if (!any(!(wanted <= V(best)) && first_lanes<V>(n))) return; // NaN counts as too fast
+    for (int i = 0; i < n; ++i) {
+      const double r = static_cast<double>(lane(wanted, i));
+      if (r <= report.limit.rate) continue;
+      report.limit.rate = r;
+      report.limit.particle = p.id()[at + static_cast<std::size_t>(i)];
+      const T w = std::sqrt(lane(wave2, i));
+      report.limit.cause = lane(strain, i) > lane(travel, i)                                ? step_cause::strain
+                           : lane(speed, i) > lane(signal, i)                               ? step_cause::velocity
+                           : lane(signal, i) - w > w                                        ? step_cause::viscosity
+                                                                                            : step_cause::sound;
+      if (!(r == r)) return;
+    }
+  }
+
+  template <class Space, class V, class Columns>
+  BOLIDE_INLINE void work_lane(Columns& p, std::size_t at, int n, const scalar_t<V> (*gradients)[chunk_size], int k, scalar_t<V> dt, update_report& report) const {
+    const auto l = load_gradient<Space, V>(gradients, k);
+    const V divergence = Space::divergence(l);
+    const V volume = load<V>(p.template get<field::volume>() + at), mass = load<V>(p.template get<field::mass>() + at);
+    V power = -load<V>(p.template get<field::pressure>() + at) * divergence;
+    if constexpr (Viscosity::present) {
+      const V viscous = -load<V>(p.template get<field::viscous_pressure>() + at) * divergence;
+      power = power + viscous;
+      report.viscous_heating += detail::sum(volume * viscous * dt, n);
+    }
+    if constexpr (Strength::carries_shear) power = power + Space::contract(load_deviator<Space, V>(p, at), Space::deviatoric_rate(l));
+    const V gain = dt * power * volume;
+    report.work_energy += detail::sum(gain, n);
+    detail::store_first(load<V>(p.template get<field::energy>() + at) + gain / mass, p.template get<field::energy>() + at, n);
+  }
+};
+
+} // namespace bolide

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Linear (tent) shape function: N = 1 - |x - i| in units of the cell size; two nodes per axis. Continuous, its slope jumps at cell
+// faces (the cell-crossing noise of the original material point method). Exact for linear fields; second order on a lattice.
+#pragma once
+
+#include "bolide/core/math.hpp"
+
+namespace bolide::shape {
+
+struct linear {
+  static constexpr int support = 2;       // nodes per axis
+  static constexpr double offset = 0;     // first node = floor(x - offset)
+  static constexpr bool smooth = false;   // is the slope continuous?
+  static constexpr const char* name = "linear";
+
+  /// f = x - first node, in [0, 1).
+  template <class V> BOLIDE_INLINE static void value(V f, V* n) {
+    n[0] = V(1) - f;
+    n[1] = f;
+  }
+  template <class V> BOLIDE_INLINE static void slope(V, V* d) {
+    d[0] = V(-1);
+    d[1] = V(1);
+  }
+  template <class V> BOLIDE_INLINE static void curvature(V* c) { c[0] = c[1] = V(0); }
+};
+
+} // namespace bolide::shape

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// The particles of one body on the grid: their columns, sorted by block, and the block ranges that the sweeps run over.
+#pragma once
+
+#include "bolide/grid/sparse.hpp"
+#include "bolide/particles/columns.hpp"
+#include "bolide/solver/ledger.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace bolide {
+
+/// Particles of one body whose home is one block.
+template <int Dim> struct block_range {
+  using map = grid::block_map<Dim>;
+  grid::cell_index<Dim> origin;                       // first node of the block
+  std::size_t begin, end;                             // particles
+  std::array<std::int32_t, map::neighbours> near;     // the blocks around
+  grid::node_range<Dim> touched;                      // first nodes of the supports, relative to origin: low and high over the particles
+};
+
+template <class T, class Space, class Shape, class Material, class Fields> struct particle_set {
+  static constexpr int dim = Space::dim;
+  using map = grid::block_map<dim>;
+  using index = grid::cell_index<dim>;
+
+  std::string name;
+  Material material;
+  T half_size;            // half a particle over the cell size
+  double geometric_mass;  // kg
+  std::uint32_t first_id;
+  particles::columns<T, Space, Fields> columns;
+  std::vector<block_range<dim>> ranges;
+  std::array<std::vector<std::int32_t>, map::colours> by_colour; // ranges of each colour
+
+  index cell_of(std::size_t i, double h) const {
+    index c;
+    for (int d = 0; d < dim; ++d) {
+      const double x = static_cast<double>(columns.template get<field::position>(d)[i]) / h;
+      c[static_cast<std::size_t>(d)] = static_cast<std::int32_t>(std::floor(x));
+    }
+    return c;
+  }
+
+  /// Blocks that hold particles, each once per run of particles.
+  void collect_blocks(double h, std::vector<index>& blocks) const {
+    index last{};
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const auto b = map::block_of(cell_of(i, h));
+      if (i == 0 || b != last) blocks.push_back(b);
+      last = b;
+    }
+  }
+
+  /// Counting sort by block, then by cell within the block; equal cells keep their order.
+  void sort(const map& blocks, double h) {
+    const std::size_t n = columns.size();
+    std::vector<std::uint32_t> key(n), count(blocks.size() * map::nodes_per_block + 1, 0), order(n);
+    index last{};
+    std::int32_t last_block = -1;
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto cell = cell_of(i, h);
+      const auto b = map::block_of(cell);
+      if (last_block < 0 || b != last) {
+        last_block = blocks.find(b);
+        last = b;
+      }
+      std::int32_t local = 0;
+      for (std::size_t d = 0; d < dim; ++d) local = local * map::side + (cell[d] - b[d] * map::side);
+      key[i] = static_cast<std::uint32_t>(last_block * map::nodes_per_block + local);
+      ++count[key[i] + 1];
+    }
+    for (std::size_t c = 1; c < count.size(); ++c) count[c] += count[c - 1];
+    std::vector<std::uint32_t> next(count.begin(), count.end() - 1);
+    for (std::size_t i = 0; i < n; ++i) order[next[key[i]]++] = static_cast<std::uint32_t>(i);
+    columns.reorder(order);
+
+    ranges.clear();
+    for (auto& c : by_colour) c.clear();
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+      const std::size_t begin = count[b * map::nodes_per_block], end = count[(b + 1) * map::nodes_per_block];
+      if (begin == end) continue;
+      block_range<dim> r{{}, begin, end, blocks.neighbourhood(blocks.coordinate(b)), {}};
+      for (std::size_t d = 0; d < dim; ++d) r.origin[d] = blocks.coordinate(b)[d] * map::side;
+      by_colour[static_cast<std::size_t>(map::colour_of(blocks.coordinate(b)))].push_back(static_cast<std::int32_t>(ranges.size()));
+      ranges.push_back(r);
+      measure(ranges.back(), h);
+    }
+  }
+
+  /// Finds which nodes the particles of a range touch. False where they have drifted further than the neighbouring blocks allow.
+  bool measure(block_range<dim>& r, double h) const {
+    using V = native_pack<T>;
+    bool inside = true;
+    for (int d = 0; d < dim; ++d) {
+      const T* x = columns.template get<field::position>(d) + r.begin;
+      T low = x[0], high = x[0];
+      const std::size_t n = r.end - r.begin;
+      std::size_t k = 0;
+      if (n >= static_cast<std::size_t>(lane_width<V>)) {
+        V l = load<V>(x), u = l;
+        for (; k + lane_width<V> <= n; k += lane_width<V>) {
+          const V v = load<V>(x + k);
+          l = min(l, v);
+          u = max(u, v);
+        }
+        for (int i = 0; i < lane_width<V>; ++i) {
+          low = std::min(low, lane(l, i));
+          high = std::max(high, lane(u, i));
+        }
+      }
+      for (; k < n; ++k) {
+        low = std::min(low, x[k]);
+        high = std::max(high, x[k]);
+      }
+      const T inverse_h = static_cast<T>(1 / h);
+      const T first = std::floor(low * inverse_h - T(Shape::offset)), last = std::floor(high * inverse_h - T(Shape::offset));
+      const auto at = static_cast<std::size_t>(d);
+      const T lo = first - static_cast<T>(r.origin[at]), hi = last - static_cast<T>(r.origin[at]);
+      constexpr int least = -grid::window<dim, T>::reach, most = grid::window<dim, T>::stride - grid::window<dim, T>::reach - Shape::support;
+      if (!(lo >= T(least)) || !(hi <= T(most))) inside = false; // NaN is outside
+      else {
+        r.touched.low[at] = static_cast<int>(lo);
+        r.touched.high[at] = static_cast<int>(hi) + Shape::support - 1;
+      }
+    }
+    return inside;
+  }
+};
+
+} // namespace bolide

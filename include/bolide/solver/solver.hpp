@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: MIT
+// The solver: a space, a grid, a shape function, a transfer, a scheme and bodies, combined at compile time into one explicit MPM.
+//
+//   auto sim = solver{space::axisymmetric{}, grid::sparse{0.1 * mm}, shape::linear{}, transfer::flip{}, scheme::usf{}, controls<>{}, ball, plate};
+//   sim.run(6.6 * us);
+//
+// Cost per particle and step: see docs/performance.md. Errors: bad_parameter at construction; run_stopped from step() and run() when the
+// step falls below its floor, the total energy leaves its bound, or the step cap is reached.
+#pragma once
+
+#include "bolide/concepts/shape_function.hpp"
+#include "bolide/concepts/space.hpp"
+#include "bolide/material/material.hpp"
+#include "bolide/particles/geometry.hpp"
+#include "bolide/scheme/musl.hpp"
+#include "bolide/scheme/usf.hpp"
+#include "bolide/solver/body.hpp"
+#include "bolide/solver/phases.hpp"
+#include "bolide/time/courant.hpp"
+#include "bolide/transfer/apic.hpp"
+#include "bolide/transfer/flip.hpp"
+
+#include <chrono>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <random>
+#include <string>
+
+#if defined(_OPENMP)
+#include <omp.h>
+#endif
+
+namespace bolide {
+
+/// Thrown when a run cannot go on. what() names step, time, particle, cause and state.
+struct run_stopped : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Material that leaves this box (m) is taken out and counted with its mass, momentum and energy.
+template <int Dim> struct leaving_box {
+  vec<double, Dim> low, high;
+};
+
+template <class T, class Space, class Shape, class Transfer, class Scheme, class... Materials> class solver {
+  static_assert(bolide::Space<Space>, "bolide: solver: the first argument is no space: see concepts/space.hpp");
+  static_assert(bolide::ShapeFunction<Shape>, "bolide: solver: the third argument is no shape function: it must have support, offset, smooth, value, slope "
+                                              "and curvature");
+  static_assert(!Transfer::wants_smooth_shape || Shape::smooth,
+                "bolide: solver: APIC with linear shape functions is unsound (its affine field is amplified at nodes of tiny mass); take "
+                "shape::quadratic_bspline, or transfer::flip");
+
+public:
+  static constexpr int dim = Space::dim;
+  using scalar = T;
+  using space = Space;
+  template <class Material>
+  using particle_fields = field_union_t<fields<field::mass, field::position, field::velocity, field::carrying_velocity>, typename Material::particle_fields,
+                                        typename Transfer::particle_fields, typename Scheme::particle_fields>;
+  template <class Material> using set_type = particle_set<T, Space, Shape, Material, particle_fields<Material>>;
+  using phases_type = phases<T, Space, Shape, Transfer, Scheme, set_type<Materials>...>;
+
+  template <class... Bodies>
+  solver(Space, grid::sparse g, Shape, Transfer transfer, Scheme scheme, controls<T> c, const Bodies&... bodies)
+      : controls_(c), scheme_(scheme), phases_(g.spacing, checked(c), transfer, seed_all(g.spacing, bodies...)) {
+    if constexpr (Space::hoop) add(grid::mirror{0, 0.0, true});
+    require(particle_count() > 0, "number of particles", 0, "positive (no lattice point lies inside a body)");
+  }
+
+  /// Adds a mirror plane (symmetry plane, slip wall). Before the first step.
+  solver& add(const grid::mirror& m) {
+    phases_.mirrors.emplace_back(m, phases_.h);
+    return *this;
+  }
+  /// Lets material leave through a box. Before the first step.
+  solver& add(const leaving_box<dim>& b) {
+    box_ = b;
+    return *this;
+  }
+
+  /// One step, no longer than `most`.
+  void step(double most = std::numeric_limits<double>::infinity()) {
+    if (steps_ == 0 && !started_) start();
+    const auto begin = std::chrono::steady_clock::now();
+    if (!phases_.sorted) sort();
+    choose_step(most);
+    scheme_.step(phases_);
+    time_ += static_cast<double>(phases_.dt);
+    ++steps_;
+    particle_steps_ += particle_count();
+    check_limit();
+    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    if (steps_ % check_interval == 0) check_energy();
+  }
+
+  /// Runs to time `until` (s). Each observer is called as watch(*this) at the start, after every step, and with finish(*this) at the end.
+  template <class... Observers> void run(double until, Observers&&... observers) {
+    require(until >= 0 && until < 1e9, "end time", until, "non-negative and finite", "s");
+    if (!started_) start();
+    (observers.watch(*this), ...);
+    while (time_ < until * (1 - 1e-12)) {
+      step(until - time_);
+      (observers.watch(*this), ...);
+    }
+    measure_energy();
+    (observers.finish(*this), ...);
+  }
+
+  double time() const { return time_; }
+  double dt() const { return static_cast<double>(phases_.dt); }
+  step_cause cause() const { return cause_; }
+  long steps() const { return steps_; }
+  double cell() const { return phases_.h; }
+  std::uint64_t particle_steps() const { return particle_steps_; }
+  double solver_seconds() const { return seconds_; } // inside step(), observers excluded
+  std::size_t particle_count() const {
+    std::size_t n = 0;
+    phases_.for_each_set([&](const auto& s) { n += s.columns.size(); });
+    return n;
+  }
+  std::size_t node_count() const { return phases_.node_count(); }
+  /// f(set) for the particles of every body: set.name, set.material, set.columns.
+  template <class F> void for_each_body(F&& f) const { phases_.for_each_set(f); }
+  template <class F> void for_each_body(F&& f) { phases_.for_each_set(f); }
+  /// The ledger with the energies of this moment.
+  const ledger& energies() {
+    measure_energy();
+    return phases_.energy;
+  }
+  double geometric_mass() const {
+    double m = 0;
+    phases_.for_each_set([&](const auto& s) { m += s.geometric_mass; });
+    return m;
+  }
+  int threads() const { return threads_; }
+
+private:
+  static constexpr long check_interval = 64;
+  controls<T> controls_;
+  Scheme scheme_;
+  phases_type phases_;
+  std::optional<leaving_box<dim>> box_;
+  double time_ = 0, seconds_ = 0;
+  long steps_ = 0;
+  std::uint64_t particle_steps_ = 0;
+  bool started_ = false;
+  double first_dt_ = 0;
+  step_cause cause_ = step_cause::growth;
+  int threads_ = 1;
+
+  static T checked(const controls<T>& c) {
+    c.validate();
+    return static_cast<T>(c.courant);
+  }
+
+  template <class... B> static std::tuple<set_type<Materials>...> seed_all(double h, const B&... bodies) {
+    std::uint32_t id = 0;
+    return std::tuple<set_type<Materials>...>{seed<Materials>(h, bodies, id)...}; // braces: in order
+  }
+  template <class Material, class Body> static set_type<Material> seed(double h, const Body& b, std::uint32_t& id) {
+    static_assert(std::remove_cvref_t<decltype(b.geometry)>::dim == dim, "bolide: solver: the geometry of a body has another number of axes than the space");
+    set_type<Material> set{b.name, b.material, static_cast<T>(b.spacing / (2 * h)), 0, id, {}, {}, {}};
+    set.geometric_mass = b.geometry.volume() * b.state.density;
+    auto& p = set.columns;
+    std::mt19937_64 random(b.jitter.seed);
+    std::uniform_real_distribution<double> shift(-b.jitter.fraction * b.spacing, b.jitter.fraction * b.spacing);
+    const double cross_section = std::pow(b.spacing, dim);
+    for_each_lattice_point(b.geometry, b.geometry.anchor(), b.spacing, Space::hoop, [&](const vec<double, dim>& x) {
+      const auto i = p.append(id++);
+      p.template get<field::mass>()[i] = static_cast<T>(b.state.density * Space::volume(x.data(), cross_section));
+      for (int d = 0; d < dim; ++d) {
+        p.template get<field::position>(d)[i] = static_cast<T>(x[d] + (b.jitter.fraction > 0 ? shift(random) : 0.0));
+        p.template get<field::velocity>(d)[i] = static_cast<T>(b.velocity[d]);
+        p.template get<field::carrying_velocity>(d)[i] = static_cast<T>(b.velocity[d]);
+      }
+    });
+    set.material.initialise(p, 0, p.size(), b.state.density, b.state.energy);
+    return set;
+  }
+
+  void start() {
+    started_ = true;
+#if defined(_OPENMP)
+    threads_ = controls_.threads > 0 ? controls_.threads : omp_get_max_threads();
+    omp_set_num_threads(threads_);
+#endif
+    sort();
+    phases_.initialise_stress();
+    phases_.dt = static_cast<T>(controls_.first_step / phases_.limit.rate / controls_.growth);
+    first_dt_ = static_cast<double>(phases_.dt);
+    measure_energy();
+    phases_.energy.initial = phases_.energy.now;
+    phases_.energy.momentum_initial = phases_.energy.momentum_now;
+  }
+
+  void choose_step(double most) {
+    const double allowed = 1 / phases_.limit.rate, grown = static_cast<double>(phases_.dt) * controls_.growth;
+    double dt = std::min(allowed, grown);
+    cause_ = allowed <= grown ? phases_.limit.cause : step_cause::growth;
+    if (dt >= most) {
+      dt = most;
+      cause_ = step_cause::end;
+    }
+    phases_.dt = static_cast<T>(dt);
+  }
+
+  void check_limit() {
+    const double rate = phases_.limit.rate;
+    if (!(rate > 0) || !(1 / rate >= controls_.dt_floor * first_dt_)) stop("the time step fell to " + to_text(1 / rate) + " s, below its floor of " +
+                                                                          to_text(controls_.dt_floor * first_dt_) + " s");
+    if (steps_ >= controls_.step_cap) stop("the step cap of " + std::to_string(controls_.step_cap) + " is reached");
+  }
+  void check_energy() {
+    measure_energy();
+    if (!(std::abs(phases_.energy.drift()) <= controls_.energy_bound))
+      stop("the total energy changed by " + to_text(phases_.energy.drift()) + " of the initial energy, beyond the bound of " + to_text(controls_.energy_bound));
+  }
+  [[noreturn]] void stop(const std::string& why) {
+    std::string text = "bolide: stopped at step " + std::to_string(steps_) + ", time " + to_text(time_) + " s: " + why + ". Shortest step asked for by particle " +
+                       std::to_string(phases_.limit.particle) + " (" + name(phases_.limit.cause) + ")";
+    phases_.for_each_set([&](const auto& s) {
+      const auto& p = s.columns;
+      for (std::size_t i = 0; i < p.size(); ++i) {
+        if (p.id()[i] != phases_.limit.particle) continue;
+        text += " of body " + s.name + ": position";
+        for (int d = 0; d < dim; ++d) text += " " + to_text(static_cast<double>(p.template get<field::position>(d)[i]));
+        text += " m, velocity";
+        for (int d = 0; d < dim; ++d) text += " " + to_text(static_cast<double>(p.template get<field::velocity>(d)[i]));
+        const double m = static_cast<double>(p.template get<field::mass>()[i]);
+        text += " m/s, density " + to_text(m / s.material.material_volume(p, i)) + " kg/m3, energy " + to_text(static_cast<double>(p.template get<field::energy>()[i])) +
+                " J/kg, pressure " + to_text(static_cast<double>(p.template get<field::pressure>()[i])) + " Pa";
+      }
+    });
+    throw run_stopped(text);
+  }
+
+  /// Drops what left the box or flew beyond what a cell index can say, then rebuilds the blocks.
+  void sort() {
+    phases_.for_each_set([&](auto& s) { drop_leavers(s); });
+    phases_.sort();
+  }
+  template <class Set> void drop_leavers(Set& s) {
+    auto& p = s.columns;
+    std::vector<std::uint32_t> stay;
+    const double far = phases_.h * 1e9;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      bool inside = true;
+      for (int d = 0; d < dim; ++d) {
+        const double x = static_cast<double>(p.template get<field::position>(d)[i]);
+        if (!(std::abs(x) < far)) {
+          phases_.limit.particle = p.id()[i];
+          stop("a particle is at " + to_text(x) + " m");
+        }
+        if (box_ && !(x >= box_->low[d] && x <= box_->high[d])) inside = false;
+      }
+      if (inside) stay.push_back(static_cast<std::uint32_t>(i));
+      else count_leaver(s, i);
+    }
+    if (stay.size() != p.size()) p.reorder(stay);
+  }
+  template <class Set> void count_leaver(const Set& s, std::size_t i) {
+    auto& l = phases_.energy;
+    const auto e = particle_energy(s, i);
+    l.left += e.total();
+    l.mass_left += static_cast<double>(s.columns.template get<field::mass>()[i]);
+    ++l.particles_left;
+    for (int d = 0; d < dim; ++d)
+      l.momentum_left[static_cast<std::size_t>(d)] +=
+          static_cast<double>(s.columns.template get<field::mass>()[i]) * static_cast<double>(s.columns.template get<field::velocity>(d)[i]);
+  }
+
+  template <class Set> energy_state particle_energy(const Set& s, std::size_t i) const {
+    const auto& p = s.columns;
+    const double m = static_cast<double>(p.template get<field::mass>()[i]);
+    energy_state e;
+    for (int d = 0; d < dim; ++d) e.kinetic += 0.5 * m * square(static_cast<double>(p.template get<field::velocity>(d)[i]));
+    if constexpr (Transfer::affine)
+      for (int c = 0; c < dim * dim; ++c)
+        e.kinetic += 0.5 * m * Shape::inertia * square(phases_.h * static_cast<double>(p.template get<field::affine_velocity>(c)[i]));
+    e.internal = m * static_cast<double>(p.template get<field::energy>()[i]);
+    return e;
+  }
+
+  void measure_energy() {
+    auto& l = phases_.energy;
+    l.now = {};
+    l.momentum_now = {};
+    double scale = 0;
+    phases_.for_each_set([&](const auto& s) {
+      const auto& p = s.columns;
+      for (std::size_t i = 0; i < p.size(); ++i) {
+        const auto e = particle_energy(s, i);
+        l.now.kinetic += e.kinetic;
+        l.now.internal += e.internal;
+        const double m = static_cast<double>(p.template get<field::mass>()[i]);
+        for (int d = 0; d < dim; ++d) {
+          const double momentum = m * static_cast<double>(p.template get<field::velocity>(d)[i]);
+          l.momentum_now[static_cast<std::size_t>(d)] += momentum;
+          scale += std::abs(momentum);
+        }
+      }
+    });
+    if (steps_ == 0) l.momentum_scale = scale;
+  }
+};
+
+template <class T, class Space, class Shape, class Transfer, class Scheme, class... Geometries, class... Materials>
+solver(Space, grid::sparse, Shape, Transfer, Scheme, controls<T>, body<Geometries, Materials>...) -> solver<T, Space, Shape, Transfer, Scheme, Materials...>;
+
+} // namespace bolide

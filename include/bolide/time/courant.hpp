@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Time-step control from what the particles ask for: dt = 1 / max over particles of the wanted rate (material/material.hpp,
+// limit_step: Courant number times h / (Q + sqrt(Q^2 + c^2 + 4G/3rho) + |v|), and 0.25 / |L|), growing by at most `growth` per step.
+// The stable range of the linear USF scheme ends between Courant numbers 1.5 and 2 (with c and |v| alone).
+#pragma once
+
+#include "bolide/core/contract.hpp"
+
+namespace bolide {
+
+/// Settings of a run, all checked at the door.
+template <class T = double> struct controls {
+  using scalar = T;              // precision of particles and nodes
+  double courant = 0.4;
+  double first_step = 0.1;       // first step over the one that the initial state allows
+  double growth = 1.1;           // most a step may grow over the one before
+  double dt_floor = 1e-6;        // least step over the first one: below it the run stops with a message
+  double energy_bound = 0.5;     // largest |total energy change| over the initial energy
+  long step_cap = 10'000'000;
+  int threads = 0;               // 0: as many as the machine has
+
+  void validate() const {
+    require(courant > 0 && courant <= 1.5, "Courant number", courant, "in (0, 1.5]");
+    require(first_step > 0 && first_step <= 1, "first step", first_step, "in (0, 1] of the allowed step");
+    require(growth > 1 && growth <= 10, "growth", growth, "in (1, 10]");
+    require(dt_floor > 0 && dt_floor < 1, "dt floor", dt_floor, "in (0, 1) of the first step");
+    require(energy_bound > 0, "energy bound", energy_bound, "positive");
+    require(step_cap > 0, "step cap", static_cast<double>(step_cap), "positive");
+    require(threads >= 0 && threads <= 1024, "threads", threads, "in [0, 1024]");
+  }
+};
+
+} // namespace bolide
