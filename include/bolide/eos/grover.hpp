@@ -40,6 +40,12 @@ template <class Cold, class Phase> struct grover {
   }
 
   double reference_density() const { return cold.reference_density(); }
+  /// Where the cold curve answers by its continuation: compressed beyond the table. (e < e_c shows as temperature < 0.)
+  template <class V> BOLIDE_INLINE mask_t<V> outside_validity(V rho, V) const {
+    using T = scalar_t<V>;
+    if constexpr (requires { cold.eta_max(); }) return rho > V(T(cold.eta_max() * cold.reference_density()));
+    else return rho < V(T(0));
+  }
 
 private:
   // A cold curve or a phase solver may offer a cheaper door when rho/rho0 or rho is at hand already.
