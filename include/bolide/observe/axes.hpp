@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace bolide::observe {
@@ -98,28 +99,44 @@ inline void draw_symmetry_axis(image& on, const field& f, double text) {
   }
 }
 
+/// Pixels that the numbers of a scale from low to high take.
+inline double widest_tick(double low, double high, double step, double text) {
+  double widest = 0;
+  for (const double value : ticks(low, high, step)) widest = std::max(widest, text_width(tick_text(value, step), text));
+  return widest;
+}
+
+/// Pixels that a colour bar takes at the right of its field.
+inline double color_bar_width(double low, double high, double text) { return widest_tick(low, high, nice_step(high - low, 6), text) + 8 * text; }
+
 /// A colour bar at the right of a field, with numbers and an upright label.
 inline void draw_color_bar(image& on, const field& f, const color_map& map, double low, double high, const std::string& label, double text) {
   const int x = f.x + f.width + static_cast<int>(1.8 * text), width = static_cast<int>(1.5 * text);
   const int line = std::max(1, static_cast<int>(text / 8 + 0.5));
   for (int j = 0; j < f.height; ++j) fill_rectangle(on, x, f.y + j, width, 1, map(1 - (j + 0.5) / f.height));
   draw_frame(on, x, f.y, width, f.height, line, ink);
-  const double step = nice_step(high - low, 6);
-  double widest = 0;
+  const double step = nice_step(high - low, 6), widest = widest_tick(low, high, step, text);
   for (const double value : ticks(low, high, step)) {
     const double y = f.y + f.height * (high - value) / (high - low), right = x + width + line;
     const std::string number = tick_text(value, step);
     draw_line(on, right, y, right + 0.35 * text, y, line, ink);
     draw_text(on, right + 0.9 * text, y + 0.5 * text, number, text, ink);
-    widest = std::max(widest, text_width(number, text));
   }
   draw_text(on, x + width + 0.9 * text + widest + 2.3 * text, f.y + f.height / 2.0, label, text, ink, anchor::middle, true);
 }
 
-/// Swatches with their words, at the right of a field from `row` on; returns the row below the last.
-inline double draw_legend(image& on, const field& f, const std::vector<std::pair<std::string, rgb>>& entries, double row, double text,
-                          bool as_lines = false) {
-  const int x = f.x + f.width + static_cast<int>(1.8 * text), width = static_cast<int>(1.5 * text);
+using legend_entries = std::vector<std::pair<std::string, rgb>>;
+
+/// Pixels that a legend takes at the right of its field.
+inline double legend_width(const legend_entries& entries, double text) {
+  double widest = 0;
+  for (const auto& entry : entries) widest = std::max(widest, text_width(entry.first, text));
+  return entries.empty() ? 0 : widest + 5.2 * text;
+}
+
+/// Swatches with their words, from column x and `row` on downwards; returns the row below the last.
+inline double draw_legend(image& on, int x, double row, const legend_entries& entries, double text, bool as_lines = false) {
+  const int width = static_cast<int>(1.5 * text);
   for (const auto& [label, color] : entries) {
     const int top = static_cast<int>(row);
     if (as_lines) draw_line(on, x, top + width / 2.0, x + width, top + width / 2.0, std::max(1.5, text / 6), color);

@@ -3,7 +3,7 @@
 //
 // A map is a path in Oklab (B. Ottosson 2020, "A perceptual color space for image processing"): lightness L rises linearly, the
 // hue turns linearly, the chroma follows a parabola and is cut to what sRGB can show. So equal steps of the value look like equal
-// steps, in grey print too, and no hue makes an edge where the data have none. The maps end at L < 0.87: a lone particle of the
+// steps, in grey print too, and no hue makes an edge where the data have none. The maps end at L = 0.82: a lone particle of the
 // highest value must still show on white paper.
 //   ember   dark blue - violet - red - amber     (temperature, pressure)
 //   ocean   dark violet - blue - green - lime    (speed)
@@ -69,8 +69,8 @@ class color_map {
     }
   }
 
-  static color_map ember() { return {{0.24, 0.11, -88}, {0.85, 0.17, 82}, 0.07}; }
-  static color_map ocean() { return {{0.24, 0.10, 300}, {0.86, 0.16, 116}, -0.02}; }
+  static color_map ember() { return {{0.24, 0.11, -88}, {0.81, 0.17, 78}, 0.07}; }
+  static color_map ocean() { return {{0.24, 0.10, 300}, {0.82, 0.17, 118}, -0.02}; }
   static color_map grey() { return {{0, 0, 0}, {1, 0, 0}, 0}; }
 
   /// The colour of t in [0, 1]; outside it the end's colour, for NaN a mid grey.

@@ -7,7 +7,7 @@
 //   ~  a curve: quadratic B-spline of the points, clamped at both ends
 //   o  a closed curve: the same without ends; the four corners of a rectangle give its rounded inscribed oval
 //   .  a dot at each point
-// Known: ASCII, the micro and degree sign, the superscripts 2 and 3, times, middle dot, plus-minus and minus; anything else is a box.
+// Known: ASCII, the micro and degree sign, the superscripts 2 and 3, times, middle dot, plus-minus, minus, umlauts; anything else is a box.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +33,7 @@ inline constexpr glyph glyphs[] = {
     {U'0', 6, "o03636C0C"}, {U'1', 3, "-0A3C33"}, {U'2', 6, "~0A0C6C6703 -0363"}, {U'3', 6, "~0A0C6C6828 ~2868630305"},
     {U'4', 6, "-5C0565 -5C53"}, {U'5', 6, "-5C0C08 ~080969630305"}, {U'6', 6, "o03636909 ~5C0C06"}, {U'7', 6, "-0C6C23"},
     {U'8', 6, "o18585C1C o03636808"}, {U'9', 6, "o06666C0C ~696313"},
-    {U'A', 7, "-034C83 -1777"}, {U'B', 6, "-030C -0C3C ~3C5C5838 -3808 ~38686333 -3303"}, {U'C', 6, "~6A6C0C036365"},
+    {U'A', 8, "-034C83 -1676"}, {U'B', 6, "-030C -0C3C ~3C5C5838 -3808 ~38686333 -3303"}, {U'C', 6, "~6A6C0C036365"},
     {U'D', 6, "-23030C2C ~2C6C6323"}, {U'E', 5, "-53030C5C -0848"}, {U'F', 5, "-030C5C -0848"}, {U'G', 6, "~6A6C0C036367 -6747"},
     {U'H', 6, "-030C -636C -0868"}, {U'I', 0, "-030C"}, {U'J', 4, "-4C46 ~46430305"}, {U'K', 6, "-030C -6C06 -2863"},
     {U'L', 5, "-0C0353"}, {U'M', 8, "-030C468C83"}, {U'N', 6, "-030C636C"}, {U'O', 7, "o03737C0C"}, {U'P', 6, "-030C3C ~3C6C6737 -3707"},
@@ -56,7 +56,9 @@ inline constexpr glyph glyphs[] = {
     {U'~', 6, "~0709396669"}, {U'&', 6, "-631A ~1A1C4C4907035367"}, {U'$', 6, "~6A6C0C0867630305 -3D32"}, {U'@', 8, "o02828C0C o25656929"},
     {U'\u00b5', 5, "-0900 ~06035356 -5953"}, {U'\u00d7', 4, "-0549 -0945"}, {U'\u00b2', 3, "~0B0D3D3B08 -0838"},
     {U'\u00b3', 3, "~0C0D3D3B1B ~1B3B380809"}, {U'\u00b7', 0, ".07"}, {U'\u00b0', 3, "o0A3A3D0D"}, {U'\u00b1', 6, "-3B35 -0868 -0363"},
-    {U'\u2212', 6, "-0767"}};
+    {U'\u2212', 6, "-0767"}, {U'\u00e4', 5, "o03535909 -5953 .1B .4B"}, {U'\u00f6', 5, "o03535909 .1B .4B"},
+    {U'\u00fc', 5, "-0906 ~06035356 -5953 .1B .4B"}, {U'\u00c4', 8, "-034C83 -1676 .2D .6D"}, {U'\u00d6', 7, "o03737C0C .1E .6E"},
+    {U'\u00dc', 6, "-0C06 ~06036366 -666C .1E .5E"}, {U'\u00df', 5, "~030C5C5818 ~1858530313"}};
 inline constexpr glyph unknown_glyph{0, 5, "-030C5C5303"};
 
 inline const glyph& glyph_of(char32_t code) {
