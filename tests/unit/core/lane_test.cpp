@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// Lanes: what a pack does to W numbers is what the scalar does to each of them. The same body runs over every number type.
+#include "bolide/core/lane.hpp"
+
+#include "unit/core/lane_types.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <vector>
+
+namespace {
+
+using namespace bolide;
+
+template <class V> class LaneOf : public testing::Test {
+protected:
+  using number = scalar_t<V>;
+  static constexpr int width = lane_width<V>;
+  /// 1.5, 2.5, ... and a second operand that is below, equal and above it in turn.
+  static V first() { return filled([](int i) { return number(i) + number(1.5); }); }
+  static V second() { return filled([](int i) { return number(i) + number(0.5) * number(i % 3 + 2); }); }
+  template <class F> static V filled(F f) {
+    std::array<number, static_cast<std::size_t>(width)> values{};
+    for (int i = 0; i < width; ++i) values[static_cast<std::size_t>(i)] = f(i);
+    return load<V>(values.data());
+  }
+  static bool answer(mask_t<V> m, int i) {
+    if constexpr (lane_width<V> == 1) return i == 0 && m;
+    else return m[i];
+  }
+};
+TYPED_TEST_SUITE(LaneOf, lane_types);
+
+TYPED_TEST(LaneOf, IsALane) {
+  using V = TypeParam;
+  static_assert(Lane<V>);
+  static_assert(sizeof(V) == sizeof(scalar_t<V>) * static_cast<std::size_t>(lane_width<V>));
+}
+
+TYPED_TEST(LaneOf, LoadStoreAndLane) {
+  using V = TypeParam;
+  using T = scalar_t<V>;
+  const V x = this->first();
+  std::array<T, static_cast<std::size_t>(lane_width<V>) + 1> out{};
+  store(x, out.data() + 1); // not aligned
+  for (int i = 0; i < lane_width<V>; ++i) {
+    EXPECT_EQ(lane(x, i), T(i) + T(1.5));
+    EXPECT_EQ(out[static_cast<std::size_t>(i) + 1], T(i) + T(1.5));
+  }
+}
+
+TYPED_TEST(LaneOf, ArithmeticIsTheScalarsInEachLane) {
+  using V = TypeParam;
+  const V a = this->first(), b = this->second();
+  V sum = a, difference = a, product = a, quotient = a;
+  sum += b, difference -= b, product *= b, quotient /= b;
+  for (int i = 0; i < lane_width<V>; ++i) {
+    const auto x = lane(a, i), y = lane(b, i);
+    EXPECT_EQ(lane(V(a + b), i), x + y);
+    EXPECT_EQ(lane(V(a - b), i), x - y);
+    EXPECT_EQ(lane(V(a * b), i), x * y);
+    EXPECT_EQ(lane(V(a / b), i), x / y);
+    EXPECT_EQ(lane(V(-a), i), -x);
+    EXPECT_EQ(lane(V(2 * a), i), 2 * x);
+    EXPECT_EQ(lane(sum, i), x + y);
+    EXPECT_EQ(lane(difference, i), x - y);
+    EXPECT_EQ(lane(product, i), x * y);
+    EXPECT_EQ(lane(quotient, i), x / y);
+  }
+}
+
+TYPED_TEST(LaneOf, ComparisonsSelectInEachLane) {
+  using V = TypeParam;
+  const V a = this->first(), b = this->second();
+  for (int i = 0; i < lane_width<V>; ++i) {
+    const auto x = lane(a, i), y = lane(b, i);
+    EXPECT_EQ(this->answer(a < b, i), x < y);
+    EXPECT_EQ(this->answer(a > b, i), x > y);
+    EXPECT_EQ(this->answer(a <= b, i), x <= y);
+    EXPECT_EQ(this->answer(a >= b, i), x >= y);
+    EXPECT_EQ(this->answer(a == b, i), x == y);
+    EXPECT_EQ(this->answer(a != b, i), x != y);
+    EXPECT_EQ(this->answer((a < b) || (a > b), i), x != y);
+    EXPECT_EQ(this->answer((a <= b) && (a >= b), i), x == y);
+    EXPECT_EQ(this->answer(!(a < b), i), !(x < y));
+    EXPECT_EQ(lane(V(select(a < b, a, b)), i), x < y ? x : y);
+    EXPECT_EQ(lane(V(select(a < b, a, 0)), i), x < y ? x : 0);
+  }
+}
+
+TYPED_TEST(LaneOf, AnyAllCount) {
+  using V = TypeParam;
+  using T = scalar_t<V>;
+  for (int n = 0; n <= lane_width<V>; ++n) {
+    const mask_t<V> m = first_lanes<V>(n);
+    EXPECT_EQ(count(m), n);
+    EXPECT_EQ(any(m), n > 0);
+    EXPECT_EQ(all(m), n == lane_width<V>);
+  }
+  for (int k = 0; k < lane_width<V>; ++k) { // a single lane, wherever it is, is seen
+    const V x = this->filled([&](int i) { return i == k ? T(1) : T(0); });
+    EXPECT_TRUE(any(x > V(0)));
+    EXPECT_EQ(all(x > V(0)), lane_width<V> == 1);
+    EXPECT_EQ(count(x > V(0)), 1);
+  }
+}
+
+TYPED_TEST(LaneOf, ComparisonWithNotANumberIsNo) {
+  using V = TypeParam;
+  const V nan(std::numeric_limits<scalar_t<V>>::quiet_NaN());
+  EXPECT_FALSE(any(nan < V(1)));
+  EXPECT_FALSE(any(nan >= V(1)));
+  EXPECT_FALSE(any(nan == nan));
+  EXPECT_TRUE(all(nan != nan));
+}
+
+TYPED_TEST(LaneOf, Gather) {
+  using V = TypeParam;
+  using T = scalar_t<V>;
+  std::vector<T> table(64);
+  for (std::size_t i = 0; i < table.size(); ++i) table[i] = T(i * i);
+  std::array<int, 16> index{};
+  for (int i = 0; i < 16; ++i) index[static_cast<std::size_t>(i)] = (37 * i + 5) % 64;
+  const V x = gather<V>(table.data(), index.data());
+  for (int i = 0; i < lane_width<V>; ++i) EXPECT_EQ(lane(x, i), table[static_cast<std::size_t>(index[static_cast<std::size_t>(i)])]);
+}
+
+TYPED_TEST(LaneOf, FloorToIntOnBothSidesOfZero) {
+  using V = TypeParam;
+  using T = scalar_t<V>;
+  for (const double start : {-3.0, -0.75, -0.0, 0.25, 2.0, 1e6 + 0.5, -1e6 - 0.5}) {
+    const V x = this->filled([&](int i) { return T(start) + T(0.5) * T(i); });
+    std::array<std::int32_t, 16> floors{};
+    floor_to_int(x, floors.data());
+    for (int i = 0; i < lane_width<V>; ++i) EXPECT_EQ(floors[static_cast<std::size_t>(i)], static_cast<std::int32_t>(std::floor(lane(x, i))));
+  }
+}
+
+TEST(NativePack, FillsTheRegister) {
+  EXPECT_EQ(sizeof(native_pack<double>), static_cast<std::size_t>(native_bytes));
+  EXPECT_EQ(sizeof(native_pack<float>), static_cast<std::size_t>(native_bytes));
+  static_assert(!Lane<int>);
+}
+
+} // namespace
