@@ -71,7 +71,12 @@ class color_map {
 
   static color_map ember() { return {{0.24, 0.11, -88}, {0.81, 0.17, 78}, 0.07}; }
   static color_map ocean() { return {{0.24, 0.10, 300}, {0.82, 0.17, 118}, -0.02}; }
-  static color_map grey() { return {{0, 0, 0}, {1, 0, 0}, 0}; }
+  /// Grey with the level 255 t: the same grey that a film of transmission t has in a radiograph.
+  static color_map grey() {
+    color_map map({0, 0, 0}, {1, 0, 0}, 0);
+    for (std::size_t i = 0; i < map.table_.size(); ++i) map.table_[i].r = map.table_[i].g = map.table_[i].b = static_cast<std::uint8_t>(i);
+    return map;
+  }
 
   /// The colour of t in [0, 1]; outside it the end's colour, for NaN a mid grey.
   rgb operator()(double t) const {
