@@ -4,6 +4,7 @@
 //   rho (us - up) = rho0 us,   p = p0 + rho0 us up,   e = e0 + p0 up/(rho0 us) + up^2/2
 // hugoniot() finds us for a given up: the residual p_eos(rho, e) - p is scanned from high us (weak compression) down, so that the
 // LARGEST us is taken where there are several (an equation of state with jumps); a sign change at a jump is no root and is passed.
+// Steps of 5e-4 in rho0/rho: two roots closer than that are not told apart.
 // The material ahead is at rest in state (rho0, e0, p0).
 #pragma once
 
@@ -48,10 +49,11 @@ template <class Eos> shock_state hugoniot(const Eos& eos, double rho0, double e0
     const double us = up / compression, p = p0 + rho0 * us * up;
     return (eos.evaluate(rho0 / (1 - compression), e0 + p0 * up / (rho0 * us) + 0.5 * up * up).pressure - p) / (std::abs(p) + std::abs(p0) + 1);
   };
-  // Weak compression: the momentum jump wins (residual < 0). Geometric steps below 1 %, then even ones to a compression of 0.95.
+  // Weak compression: the momentum jump wins (residual < 0).
+  // Geometric steps below 1 %, then even ones to a compression of 0.95.
   double low = 1e-9, f_low = residual(low);
   for (double high = low; high < 0.95;) {
-    high = high < 0.01 ? high * 1.1 : high + 0.0025;
+    high = high < 0.005 ? high * 1.1 : high + 0.0005;
     const double f_high = residual(high);
     if (f_low < 0 && f_high >= 0) {
       const double c = eos::bracketed_root(residual, low, high);

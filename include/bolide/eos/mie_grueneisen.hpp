@@ -5,11 +5,15 @@
 //   compression  p_ref = p_H (1 - gamma0 eta/2)               expansion  p_ref = rho0 c0^2 (rho/rho0 - 1)
 //   c^2 = dp_ref/drho + p gamma0 rho0/rho^2                   (continuous at rho0)
 //
+// Expansion: with Gamma rho constant, hot expanded material (e > c0^2/gamma0, 14 MJ/kg) keeps a finite pressure and a sound speed that grows
+// without bound as rho -> 0, which ends a hypervelocity run in a vanishing time step. constant_gamma = true takes gamma0 rho e there:
+// p is continuous at rho0, c^2 jumps by gamma0 e. The scenes of the library set it; the convention of the literature is the default.
+//
 // Guard: p_H has a pole at eta = 1/s (rho = 3.96 rho0 for aluminium), which a reflected shock of tens of km/s can cross. From
 // guard/s on (guard = 0.95, rho = 3.44 rho0) p_ref goes on linearly in rho: p and c^2 continuous, no pole. outside_validity() says
 // which lanes use it, so that a solver can count them.
-// Validity: the Hugoniot of solid metals, and states near it; in expansion p does not fall to a gas's, and above
-// e = c0^2/gamma0 (14 MJ/kg) p stays positive however far the material expands. No temperature: wrap in eos::isentrope_temperature.
+// Validity: the Hugoniot of solid metals, and states near it; in expansion p does not fall to a gas's. No temperature: wrap in
+// eos::isentrope_temperature.
 // Default: aluminium 2024 (the parameters of the reference table in docs/validation; LASL, from memory: re-check before quoting).
 #pragma once
 
@@ -25,6 +29,7 @@ struct mie_grueneisen_parameters {
   double s = 1.338;     // slope of us over up
   double gamma0 = 2.0;  // Grueneisen coefficient at rho0
   double guard = 0.95;  // of the pole's eta, where the linear continuation starts
+  bool constant_gamma = false; // in expansion: Gamma = gamma0 (true) or Gamma rho = gamma0 rho0 (false)
 };
 
 struct mie_grueneisen {
@@ -52,6 +57,11 @@ struct mie_grueneisen {
     const V p_ref = select(expanded, bulk * (rho * T(1 / q_.rho0) - T(1)),
                            select(beyond, T(p_guard_) + T(slope_guard_) * (rho - T(rho_guard_)), shock.pressure));
     const V slope = select(expanded, V(T(q_.c0 * q_.c0)), select(beyond, V(T(slope_guard_)), shock.sound_speed_squared));
+    if (q_.constant_gamma) {
+      const V gamma_rho = T(q_.gamma0) * select(expanded, rho, V(T(q_.rho0)));
+      const V p = p_ref + gamma_rho * e;
+      return {p, slope + select(expanded, T(q_.gamma0) * e, V(T(0))) + p * gamma_rho * inverse * inverse};
+    }
     const V p = p_ref + grueneisen * e;
     return {p, slope + p * grueneisen * inverse * inverse};
   }
