@@ -25,7 +25,7 @@ template <class Cold, class Phase> struct grover {
   Cold cold;
   Phase phase;
 
-  explicit grover(Cold cold_curve, Phase phase_solver = {}) : cold(std::move(cold_curve)), phase(std::move(phase_solver)) {
+  explicit grover(Cold cold_curve, Phase phase_solver = {}) : cold(std::move(cold_curve)), phase(std::move(phase_solver)), inverse_density_(1 / cold.reference_density()) {
     require(cold.reference_density() > 0, "eos::grover reference density of the cold curve", cold.reference_density(), "> 0", "kg/m3");
   }
 
@@ -33,7 +33,7 @@ template <class Cold, class Phase> struct grover {
     using T = scalar_t<V>;
     const T rho0 = static_cast<T>(cold.reference_density());
     const V volume = V(T(1)) / rho, x = rho0 * volume;
-    const cold_point<V> c = cold_at(x, rho * (T(1) / rho0));
+    const cold_point<V> c = cold_at(x, rho * T(inverse_density_));
     const phase_point<V> h = heat_at(x, e - c.energy, volume, rho);
     const V c2 = volume * (volume * (h.thermal_pressure * h.pressure_energy - h.pressure_volume) - x * c.slope);
     return {c.pressure + h.thermal_pressure, c2, h.temperature, h.melting_temperature, h.melt_fraction, c.energy, h.region};
@@ -48,6 +48,8 @@ template <class Cold, class Phase> struct grover {
   }
 
 private:
+  double inverse_density_; // m3/kg, V0
+
   // A cold curve or a phase solver may offer a cheaper door when rho/rho0 or rho is at hand already.
   template <class V> BOLIDE_INLINE cold_point<V> cold_at(V x, V eta) const {
     if constexpr (requires { cold.at_density_ratio(eta); }) return cold.at_density_ratio(eta);

@@ -30,7 +30,8 @@ template <class Eos> class isentrope_temperature {
 public:
   /// c_v in J/(kg K), T0 in K: the temperature at (rho0, e = 0). Defaults: aluminium.
   explicit isentrope_temperature(Eos eos, double c_v = 875, double T0 = 293, lindemann melting = {})
-      : eos_(std::move(eos)), c_v_(c_v), T0_(T0), melting_(melting), theta_(eta_low, 1.0 / per_unit, rows) {
+      : eos_(std::move(eos)), c_v_(c_v), T0_(T0), melting_(melting), theta_(eta_low, 1.0 / per_unit, rows),
+        inverse_density_(1 / eos_.reference_density()), inverse_c_v_(1 / c_v) {
     require(c_v > 0, "eos::isentrope_temperature c_v", c_v, "> 0", "J/(kg K)");
     require(T0 > 0, "eos::isentrope_temperature T0", T0, "> 0", "K");
     melting_.validate();
@@ -40,10 +41,10 @@ public:
   template <class V> BOLIDE_INLINE thermal_point<V> evaluate(V rho, V e) const {
     using T = scalar_t<V>;
     const auto p = eos_.evaluate(rho, e);
-    const V eta = rho * T(1 / eos_.reference_density());
+    const V eta = rho * T(inverse_density_);
     const auto at = theta_.find(eta);
     const V theta = at.c[0] + at.t * (at.c[1] + at.t * (at.c[2] + at.t * at.c[3]));
-    const V temperature = theta + e * T(1 / c_v_), t_m = melting_.melting_temperature(V(T(1)) / eta);
+    const V temperature = theta + e * T(inverse_c_v_), t_m = melting_.melting_temperature(V(T(1)) / eta);
     const auto molten = temperature > t_m;
     return {p.pressure, p.sound_speed_squared, temperature, t_m, select(molten, V(T(1)), V(T(0))), T(-c_v_) * theta,
             select(molten, V(region_value<V>(region::liquid)), V(region_value<V>(region::solid)))};
@@ -117,6 +118,7 @@ private:
   double c_v_, T0_;
   lindemann melting_;
   polynomial_table<4> theta_;
+  double inverse_density_, inverse_c_v_; // m3/kg, kg K/J
 };
 
 } // namespace bolide::eos

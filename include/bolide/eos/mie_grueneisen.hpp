@@ -41,6 +41,7 @@ struct mie_grueneisen {
     require(q_.s > 1, "eos::mie_grueneisen s", q_.s, "> 1 (the guard needs a pole at finite density)");
     require(q_.gamma0 > 0 && q_.gamma0 < 2 * q_.s, "eos::mie_grueneisen gamma0", q_.gamma0, "> 0 and < 2 s (p_ref must rise up to the pole)");
     require(q_.guard > 0 && q_.guard < 1, "eos::mie_grueneisen guard", q_.guard, "between 0 and 1");
+    inverse_rho0_ = 1 / q_.rho0;
     eta_guard_ = q_.guard / q_.s;
     rho_guard_ = q_.rho0 / (1 - eta_guard_);
     const eos_point<double> at = compressed(eta_guard_);
@@ -54,7 +55,7 @@ struct mie_grueneisen {
     const eos_point<V> shock = compressed(min(eta, V(T(eta_guard_))));
     const T bulk = T(q_.rho0 * q_.c0 * q_.c0), grueneisen = T(q_.gamma0 * q_.rho0);
     const auto expanded = eta < V(T(0)), beyond = eta > V(T(eta_guard_));
-    const V p_ref = select(expanded, bulk * (rho * T(1 / q_.rho0) - T(1)),
+    const V p_ref = select(expanded, bulk * (rho * T(inverse_rho0_) - T(1)),
                            select(beyond, T(p_guard_) + T(slope_guard_) * (rho - T(rho_guard_)), shock.pressure));
     const V slope = select(expanded, V(T(q_.c0 * q_.c0)), select(beyond, V(T(slope_guard_)), shock.sound_speed_squared));
     if (q_.constant_gamma) {
@@ -79,11 +80,11 @@ private:
     const T bulk = T(q_.rho0 * q_.c0 * q_.c0), s = T(q_.s), half = T(0.5 * q_.gamma0);
     const V one(T(1)), d = one / (one - s * eta), p_h = bulk * eta * d * d, x = one - eta;
     const V slope_eta = bulk * (one + s * eta) * d * d * d * (one - half * eta) - half * p_h;
-    return {p_h * (one - half * eta), slope_eta * x * x * T(1 / q_.rho0)}; // d eta/d rho = (1 - eta)^2/rho0
+    return {p_h * (one - half * eta), slope_eta * x * x * T(inverse_rho0_)}; // d eta/d rho = (1 - eta)^2/rho0
   }
 
   parameters q_;
-  double eta_guard_ = 0, rho_guard_ = 0, p_guard_ = 0, slope_guard_ = 0;
+  double inverse_rho0_ = 0, eta_guard_ = 0, rho_guard_ = 0, p_guard_ = 0, slope_guard_ = 0;
 };
 
 static_assert(EquationOfState<mie_grueneisen> && EquationOfState<mie_grueneisen, pack<float, 4>>);

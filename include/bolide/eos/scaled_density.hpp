@@ -15,13 +15,13 @@ template <class Eos> class scaled_density {
                                       "sound_speed_squared} and reference_density().");
 
 public:
-  scaled_density(Eos eos, double factor) : eos_(std::move(eos)), factor_(factor) {
+  scaled_density(Eos eos, double factor) : eos_(std::move(eos)), factor_(factor), inverse_(1 / factor) {
     require(factor > 0.01 && factor < 100, "eos::scaled_density factor", factor, "between 0.01 and 100");
   }
 
   template <class V> BOLIDE_INLINE auto evaluate(V rho, V e) const {
     using T = scalar_t<V>;
-    auto r = eos_.evaluate(rho * T(1 / factor_), e);
+    auto r = eos_.evaluate(rho * T(inverse_), e);
     r.pressure = r.pressure * T(factor_);
     return r;
   }
@@ -30,13 +30,13 @@ public:
   double factor() const { return factor_; }
   const Eos& base() const { return eos_; }
   template <class V> BOLIDE_INLINE mask_t<V> outside_validity(V rho, V e) const {
-    if constexpr (requires { eos_.outside_validity(rho, e); }) return eos_.outside_validity(rho * scalar_t<V>(1 / factor_), e);
+    if constexpr (requires { eos_.outside_validity(rho, e); }) return eos_.outside_validity(rho * scalar_t<V>(inverse_), e);
     else return rho < V(scalar_t<V>(0));
   }
 
 private:
   Eos eos_;
-  double factor_;
+  double factor_, inverse_;
 };
 
 } // namespace bolide::eos

@@ -42,18 +42,21 @@ struct tillotson {
     require(q_.beta > 0, "eos::tillotson beta", q_.beta, "> 0");
     require(q_.E_iv > 0, "eos::tillotson E_iv", q_.E_iv, "> 0", "J/kg");
     require(q_.E_cv > q_.E_iv, "eos::tillotson E_cv", q_.E_cv, "above E_iv", "J/kg");
+    inverse_rho0_ = 1 / q_.rho0;
+    inverse_E0_ = 1 / q_.E0;
+    inverse_width_ = 1 / (q_.E_cv - q_.E_iv);
   }
 
   template <class V> BOLIDE_INLINE eos_point<V> evaluate(V rho, V e) const {
     using T = scalar_t<V>;
-    const V zero(T(0)), one(T(1)), eta = rho * T(1 / q_.rho0);
+    const V zero(T(0)), one(T(1)), eta = rho * T(inverse_rho0_);
     const part<V> hot = hot_part(rho, e, eta), i = condensed(rho, e, eta, hot);
     const auto expanded = eta < one && e > V(T(q_.E_iv));
     part<V> r = i;
     if (any(expanded)) {
       const part<V> iii = vapour(rho, e, eta, hot);
-      const V weight = min(max((e - T(q_.E_iv)) * T(1 / (q_.E_cv - q_.E_iv)), zero), one);
-      const V weight_e = select(e < V(T(q_.E_cv)), V(T(1 / (q_.E_cv - q_.E_iv))), zero);
+      const V weight = min(max((e - T(q_.E_iv)) * T(inverse_width_), zero), one);
+      const V weight_e = select(e < V(T(q_.E_cv)), V(T(inverse_width_)), zero);
       r.p = select(expanded, i.p + weight * (iii.p - i.p), i.p);
       r.p_rho = select(expanded, i.p_rho + weight * (iii.p_rho - i.p_rho), i.p_rho);
       r.p_e = select(expanded, i.p_e + weight * (iii.p_e - i.p_e) + weight_e * (iii.p - i.p), i.p_e);
@@ -65,7 +68,7 @@ struct tillotson {
   const parameters& values() const { return q_; }
   template <class V> BOLIDE_INLINE mask_t<V> outside_validity(V rho, V e) const {
     using T = scalar_t<V>;
-    const V eta = rho * T(1 / q_.rho0);
+    const V eta = rho * T(inverse_rho0_);
     return e < T((smallest_w - 1) * q_.E0) * eta * eta;
   }
 
@@ -75,7 +78,7 @@ private:
   /// b rho e/w and its derivatives.
   template <class V> BOLIDE_INLINE part<V> hot_part(V rho, V e, V eta) const {
     using T = scalar_t<V>;
-    const V one{T(1)}, least{T(smallest_w)}, ratio = e * T(1 / q_.E0) / (eta * eta), raw = ratio + one;
+    const V one{T(1)}, least{T(smallest_w)}, ratio = e * T(inverse_E0_) / (eta * eta), raw = ratio + one;
     const auto guarded = raw < least;
     const V w = select(guarded, least, raw), b = T(q_.b) / w, r = select(guarded, V(T(0)), ratio / w); // r = -(dw/d ln e)/w
     return {b * rho * e, b * e * (one + T(2) * r), b * rho * (one - r)};
@@ -84,7 +87,7 @@ private:
     using T = scalar_t<V>;
     const V mu = eta - T(1);
     return {T(q_.a) * rho * e + hot.p + mu * (T(q_.A) + T(q_.B) * mu),
-            T(q_.a) * e + hot.p_rho + (T(q_.A) + T(2 * q_.B) * mu) * T(1 / q_.rho0), T(q_.a) * rho + hot.p_e};
+            T(q_.a) * e + hot.p_rho + (T(q_.A) + T(2 * q_.B) * mu) * T(inverse_rho0_), T(q_.a) * rho + hot.p_e};
   }
   template <class V> BOLIDE_INLINE part<V> vapour(V rho, V e, V eta, const part<V>& hot) const {
     using T = scalar_t<V>;
@@ -92,12 +95,13 @@ private:
     // The exponents are kept above -80 (e^-80 = 2e-35): beyond, the terms have long vanished.
     const V fall = exp(max(-T(q_.alpha) * z * z, V(T(-80)))), cold = T(q_.A) * exp(max(-T(q_.beta) * z, V(T(-80))));
     const V inner = hot.p + cold * mu;
-    const V inner_rho = hot.p_rho + cold * (T(1 / q_.rho0) - T(q_.beta) * mu * z_rho);
+    const V inner_rho = hot.p_rho + cold * (T(inverse_rho0_) - T(q_.beta) * mu * z_rho);
     return {T(q_.a) * rho * e + inner * fall, T(q_.a) * e + fall * (inner_rho - T(2 * q_.alpha) * z * z_rho * inner),
             T(q_.a) * rho + hot.p_e * fall};
   }
 
   parameters q_;
+  double inverse_rho0_ = 0, inverse_E0_ = 0, inverse_width_ = 0; // width: E_cv - E_iv
 };
 
 static_assert(EquationOfState<tillotson> && EquationOfState<tillotson, pack<float, 4>>);

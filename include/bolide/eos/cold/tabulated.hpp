@@ -33,7 +33,7 @@ class tabulated {
 public:
   /// eta_max: largest tabulated density ratio; per_unit: nodes per unit of eta.
   template <class Exact> explicit tabulated(const Exact& exact, double eta_max = 5, int per_unit = 200)
-      : density_(exact.reference_density()), table_(make(eta_max, per_unit)) {
+      : density_(exact.reference_density()), table_(make(eta_max, per_unit)), area_to_energy_(table_.step() / density_) {
     static_assert(ColdCurve<Exact>, "bolide: cold::tabulated needs a ColdCurve: evaluate(x) -> {energy, pressure, slope} and reference_density().");
     fill(exact);
     measure(exact);
@@ -47,10 +47,10 @@ public:
     const auto at = table_.find(eta);
     const V t = at.t, *c = at.c;
     const V g = c[1] + t * (c[2] + t * (c[3] + t * c[4]));
-    const V dg = (c[2] + t * (T(2) * c[3] + t * (T(3) * c[4]))) * T(1 / table_.step());
+    const V dg = (c[2] + t * (T(2) * c[3] + t * (T(3) * c[4]))) * T(table_.inverse_step());
     const V area = t * (c[1] + t * (T(0.5) * c[2] + t * (T(1) / T(3) * c[3] + t * (T(0.25) * c[4]))));
     const V eta2 = eta * eta;
-    return {c[0] + T(table_.step() / density_) * area, eta2 * g, -(eta2 * eta) * (T(2) * g + eta * dg)};
+    return {c[0] + T(area_to_energy_) * area, eta2 * g, -(eta2 * eta) * (T(2) * g + eta * dg)};
   }
 
   double reference_density() const { return density_; }
@@ -110,6 +110,7 @@ private:
 
   double density_; // kg/m3, 1/V0
   eos::polynomial_table<5> table_;
+  double area_to_energy_; // step/rho0
   table_error error_, error_expanded_;
 };
 

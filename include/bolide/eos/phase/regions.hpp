@@ -19,7 +19,12 @@ namespace bolide::phase {
 /// Law: published or helmholtz. HasMixed, HasGas: which regions exist.
 template <class Law, bool HasMixed, bool HasGas> class regions {
 public:
-  explicit regions(const grover_parameters& parameters = {}) : q_(parameters) { q_.validate(); }
+  explicit regions(const grover_parameters& parameters = {}) : q_(parameters) {
+    q_.validate();
+    hot_ = q_.hot();
+    K_ = q_.K();
+    inverse_latent_ = 1 / (q_.dS - q_.al);
+  }
 
   const grover_parameters& parameters() const { return q_; }
 
@@ -51,9 +56,8 @@ private:
   template <class V>
   BOLIDE_INLINE phase_point<V> any_region(const isochore<V>& v, V e_k, V E_ms, V E_m, mask_t<V> is_solid, mask_t<V> is_gas) const {
     using T = scalar_t<V>;
-    const V zero(T(0)), one(T(1)), t_m = v.melting;
-    const double hot = q_.hot();
-    const V E_G = t_m * (T(1.5 * q_.R * hot + q_.K()) + T(0.5 * hot * hot) * v.electron * t_m);
+    const V zero(T(0)), one(T(1)), t_m = v.melting, inverse_t_m = one / t_m;
+    const V E_G = t_m * (T(1.5 * q_.R * hot_ + K_) + T(0.5 * hot_ * hot_) * v.electron * t_m);
     const mask_t<V> dense = !is_gas, above = dense && !is_solid;
     const mask_t<V> is_mixed = HasMixed ? above && e_k <= E_m : mask_t<V>(is_gas && dense);
     const mask_t<V> is_hot = above && e_k > E_G;
@@ -61,8 +65,8 @@ private:
 
     branch::coefficients<V> c;
     c.heat = select(free, V(T(1.5 * q_.R)), V(T(3 * q_.R)));
-    c.curvature = select(is_liquid, V(T(q_.al)), zero);
-    c.latent = select(is_liquid, V(T(q_.dS - 0.5 * q_.al)), select(is_hot, V(T(q_.K())), zero));
+    c.curvature = select(is_liquid, T(q_.al) * inverse_t_m, zero);
+    c.latent = select(is_liquid, V(T(q_.dS - 0.5 * q_.al)), select(is_hot, V(T(K_)), zero));
     c.electron = select(is_gas, zero, v.electron);
     c.lattice = select(free, V(T(q_.R)), T(3 * q_.R) * v.gamma);
     c.lattice_slope = select(free, zero, T(3 * q_.R) * v.gamma_slope);
@@ -70,19 +74,20 @@ private:
     // As branch::evaluate, with the mixed phase's T, q and slopes selected in.
     const V lambda = v.lambda();
     branch::root<V> r = branch::solve(c, v, e_k);
-    const V t = select(is_mixed, t_m, r.temperature), capacity = select(is_mixed, c.heat + c.electron * t, r.capacity);
-    const V bend = T(0.5) * c.curvature * t * t / t_m, melt = t_m * c.latent;
+    const V t = select(is_mixed, t_m, r.temperature), solid_capacity = c.heat + c.electron * t;
+    const V bend = T(0.5) * c.curvature * t * t, melt = t_m * c.latent;
     const V q = select(is_mixed, e_k - E_ms, melt - bend), q_slope_t = -lambda * (melt + bend);
-    const V electrons_slope = T(0.5) * v.electron_power * c.electron * t * t, inverse = one / capacity;
+    const V electrons_slope = T(0.5) * v.electron_power * c.electron * t * t, inverse = r.inverse_capacity;
     const V t_slope = select(is_mixed, -lambda * t, -(electrons_slope + q_slope_t) * inverse);
-    const V q_slope = select(is_mixed, -(electrons_slope + capacity * t_slope), q_slope_t);
+    const V q_slope = select(is_mixed, -(electrons_slope + solid_capacity * t_slope), q_slope_t);
     const V p_t = branch::pressure_slope(c, v, T(q_.ge), t);
-    const V nu = select(is_mixed, (e_k - E_ms) / (t_m * T(q_.dS - q_.al)), select(is_solid, zero, one));
+    const V nu = select(is_mixed, (e_k - E_ms) * inverse_t_m * T(inverse_latent_), select(is_solid, zero, one));
     const V where = select(is_gas, V(T(4)), select(is_hot, V(T(3)), select(is_liquid, V(T(2)), select(is_mixed, one, zero))));
     return branch::close(c, v, T(q_.ge), t, q, q_slope, t_slope, p_t, select(is_mixed, lambda, p_t * inverse), nu, where);
   }
 
   grover_parameters q_;
+  double hot_ = 0, K_ = 0, inverse_latent_ = 0; // q_.hot(), q_.K(), 1/(dS - al)
 };
 
 } // namespace bolide::phase

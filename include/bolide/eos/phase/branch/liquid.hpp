@@ -14,7 +14,7 @@ struct liquid {
 
   template <class V> BOLIDE_INLINE coefficients<V> at(const isochore<V>& v) const {
     using T = scalar_t<V>;
-    return {V(T(3 * q.R)), V(T(q.al)), V(T(q.dS - 0.5 * q.al)), v.electron, T(3 * q.R) * v.gamma, T(3 * q.R) * v.gamma_slope};
+    return {V(T(3 * q.R)), T(q.al) / v.melting, V(T(q.dS - 0.5 * q.al)), v.electron, T(3 * q.R) * v.gamma, T(3 * q.R) * v.gamma_slope};
   }
   /// K, at thermal energy e_k (J/kg).
   template <class V> V temperature(const isochore<V>& v, V e_k) const {
