@@ -6,7 +6,7 @@
 // The last follows from c^2 = V^2 (p p_e - p_V) with de_k/dV|e = p_c. T, T_m, melt fraction and region are the phase solver's,
 // cold_energy = e_c. e < e_c is answered by the phase solver's linear continuation (T <= 0). Nothing is floored.
 // Composed by hand:  eos::grover{cold::tabulated{cold::cai_ye{}}, phase::mixed{}}
-// Cost (pack<double, 8>, one core): about 5 ns per particle with the table (docs/eos.md).
+// Cost: 12 to 15 ns per call with the table in pack<double, 8> (docs/eos.md).
 #pragma once
 
 #include "bolide/concepts/cold_curve.hpp"
