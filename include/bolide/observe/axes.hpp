@@ -70,6 +70,7 @@ struct axis_labels {
 inline void draw_axes(image& on, const field& f, const axis_labels& labels, double text) {
   const int line = std::max(1, static_cast<int>(text / 8 + 0.5));
   const double tick = 0.45 * text, mm = 1e-3;
+  // about one number for every seven heights of text, the same step on both axes
   draw_frame(on, f.x, f.y, f.width, f.height, line, ink);
   const double step = nice_step(f.space.width() / mm, f.width / (7 * text));
   for (const double value : ticks(f.space.left / mm, f.space.right / mm, step)) {
@@ -107,10 +108,13 @@ inline double widest_tick(double low, double high, double step, double text) {
 }
 
 /// Pixels that a colour bar takes at the right of its field.
-inline double color_bar_width(double low, double high, double text) { return widest_tick(low, high, nice_step(high - low, 6), text) + 8 * text; }
+inline double color_bar_width(double low, double high, double text) {
+  return widest_tick(low, high, nice_step(high - low, 6), text) + 8 * text;
+}
 
 /// A colour bar at the right of a field, with numbers and an upright label.
-inline void draw_color_bar(image& on, const field& f, const color_map& map, double low, double high, const std::string& label, double text) {
+inline void draw_color_bar(image& on, const field& f, const color_map& map, double low, double high, const std::string& label,
+                           double text) {
   const int x = f.x + f.width + static_cast<int>(1.8 * text), width = static_cast<int>(1.5 * text);
   const int line = std::max(1, static_cast<int>(text / 8 + 0.5));
   for (int j = 0; j < f.height; ++j) fill_rectangle(on, x, f.y + j, width, 1, map(1 - (j + 0.5) / f.height));
@@ -151,7 +155,8 @@ inline double draw_legend(image& on, int x, double row, const legend_entries& en
 inline void draw_scale_bar(image& on, const field& f, double text, rgb color) {
   const double length = nice_step(f.space.width(), 7), pixels = length * f.pixels_per_metre();
   const double right = f.x + f.width - 1.6 * text, y = f.y + f.height - 1.6 * text;
-  fill_rectangle(on, static_cast<int>(right - pixels), static_cast<int>(y), static_cast<int>(pixels), std::max(2, static_cast<int>(text / 3)), color);
+  const int thick = std::max(2, static_cast<int>(text / 3));
+  fill_rectangle(on, static_cast<int>(right - pixels), static_cast<int>(y), static_cast<int>(pixels), thick, color);
   const double step = nice_step(length / 1e-3, 1);
   draw_text(on, right - pixels / 2, y - 0.7 * text, tick_text(length / 1e-3, step) + " mm", text, color, anchor::middle);
 }

@@ -104,6 +104,7 @@ inline constexpr std::array<category, 6> phase_palette{{{"solid", {52, 62, 82}},
                                                         {"gas", {40, 150, 110}}}};
 
 /// Colours for bodies and for curves of one picture; they repeat after six.
-inline constexpr std::array<rgb, 6> line_palette{{{24, 84, 160}, {212, 84, 30}, {34, 136, 92}, {128, 60, 148}, {178, 140, 20}, {90, 90, 90}}};
+inline constexpr std::array<rgb, 6> line_palette{
+    {{24, 84, 160}, {212, 84, 30}, {34, 136, 92}, {128, 60, 148}, {178, 140, 20}, {90, 90, 90}}};
 
 } // namespace bolide::observe

@@ -21,7 +21,8 @@
 
 namespace bolide::observe {
 
-/// What stands in one place of the table: a number or a text.
+/// What stands in one place of the table: a number or a text. Made from either without a word, so that a row reads
+/// table.row({sim.time(), sim.steps(), "sound"}).
 class csv_cell {
  public:
   template <std::floating_point T> csv_cell(T x) {
@@ -70,6 +71,7 @@ class csv_table {
   std::size_t columns() const { return columns_; }
 
  private:
+  /// One line in one write, then out of the buffer: whoever stops the program finds whole rows.
   void write(const std::vector<csv_cell>& cells) {
     std::string line;
     for (const csv_cell& cell : cells) line += cell.text() + ',';

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The measures of a debris cloud, each with a written definition (docs/debris_cloud.md says why and what was rejected).
 //
-// The flight is along +z, the last component of the positions; r is the first (in 3-D hypot(x, y)). All lengths are mass quantiles: the single fastest particles of a run are no measure of anything. What lies
-// beyond the quantiles is reported as outliers, not dropped silently. Masses in an axisymmetric snapshot are those of rings, so a mass
-// fraction is one of the whole cloud. A measure that the snapshot cannot give (no column, nothing downstream) is NaN.
+// The flight is along +z, the last component of the positions; r is the first (in 3-D hypot(x, y)). All lengths are mass quantiles:
+// the single fastest particles of a run are no measure of anything. What lies beyond the quantiles is reported as outliers, not
+// dropped silently. Masses in an axisymmetric snapshot are those of rings, so a mass fraction is one of the whole cloud. A measure
+// that the snapshot cannot give (no column, nothing downstream) is NaN.
 // Sets:  downstream   z > rear face of the plate  and  v_z >  5 % of the impact speed
 //        ejecta       z < front face of the plate and  v_z < -5 % of the impact speed
 //        projectile, plate: by body
@@ -36,7 +37,8 @@ struct impact_scene {
   double reference_pressure = std::numeric_limits<double>::quiet_NaN();
 
   void validate() const {
-    require(plate_rear_z > plate_front_z, "z of the plate's rear face", plate_rear_z, "above that of its front face " + to_text(plate_front_z), "m");
+    require(plate_rear_z > plate_front_z, "z of the plate's rear face", plate_rear_z,
+            "above that of its front face " + to_text(plate_front_z), "m");
     require(impact_speed > 0, "impact speed", impact_speed, "more than 0", "m/s");
   }
   double thickness() const { return plate_rear_z - plate_front_z; }

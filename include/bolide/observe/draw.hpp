@@ -35,8 +35,12 @@ inline void draw_strokes(image& on, const std::vector<pen_segment>& pieces, doub
   std::vector<float> coverage(columns * static_cast<std::size_t>(bottom - top), 0.0f);
   for (const pen_segment& p : pieces) {
     const double ex = p.x1 - p.x0, ey = p.y1 - p.y0, length2 = ex * ex + ey * ey;
-    for (int j = std::max(top, line(std::min(p.y0, p.y1) - reach)); j < std::min(bottom, line(std::max(p.y0, p.y1) + reach + 1)); ++j)
-      for (int i = std::max(left, column(std::min(p.x0, p.x1) - reach)); i < std::min(right, column(std::max(p.x0, p.x1) + reach + 1)); ++i) {
+    // only the pixels that this piece can reach
+    const int first_row = std::max(top, line(std::min(p.y0, p.y1) - reach));
+    const int row_end = std::min(bottom, line(std::max(p.y0, p.y1) + reach + 1));
+    const int first = std::max(left, column(std::min(p.x0, p.x1) - reach)), end = std::min(right, column(std::max(p.x0, p.x1) + reach + 1));
+    for (int j = first_row; j < row_end; ++j)
+      for (int i = first; i < end; ++i) {
         const double px = i + 0.5 - p.x0, py = j + 0.5 - p.y0;
         const double t = length2 > 0 ? std::clamp((px * ex + py * ey) / length2, 0.0, 1.0) : 0.0;
         const double distance = std::hypot(px - t * ex, py - t * ey);

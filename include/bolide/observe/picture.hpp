@@ -79,6 +79,17 @@ inline double magnitude(const column& c, std::size_t i) {
   return std::sqrt(sum);
 }
 
+/// Which particles are faster than `share` times the 99.9 % mass quantile of the speed.
+inline std::vector<char> moving(const snapshot& s, double share) {
+  const column &mass = s.at("mass"), &velocity = s.at("velocity");
+  weighted_samples speed;
+  for (std::size_t i = 0; i < s.size(); ++i) speed.add(magnitude(velocity, i), mass(i));
+  const double threshold = share * speed.quantile(0.999);
+  std::vector<char> yes(s.size());
+  for (std::size_t i = 0; i < s.size(); ++i) yes[i] = magnitude(velocity, i) >= threshold;
+  return yes;
+}
+
 /// Horizontal and vertical place of a particle: (z, r) if axisymmetric, else (x, y).
 struct section {
   const column& position;
@@ -96,26 +107,25 @@ struct cloud_window_options {
   double left = -25e-3;       // m, no further back than this
   double least_top = 25e-3;   // m, at least this high
   double margin = 0.07;       // of the cloud's length
-  double moving = 0.05;       // of the fast particles' speed: what counts as cloud
+  double moving = 0.1;        // of the fast particles' speed: what counts as cloud
 };
 
 /// The window that shows the cloud: forward to the 99.9 % mass quantile of what moves (faster than `moving` times the 99.9 % quantile
-/// of the speed) and a margin, back to `left`, up to the 99.9 % quantile of the radius and a margin.
+/// of the speed) and a margin, back to `left`, up to the 99 % quantile of the radius of what lies between them
+/// (the ejecta further back fly wide) and a margin.
 inline window cloud_window(const snapshot& s, const cloud_window_options& options = {}) {
   const detail::section at(s);
-  const column &mass = s.at("mass"), &velocity = s.at("velocity");
-  weighted_samples speed, horizontal, vertical;
-  for (std::size_t i = 0; i < s.size(); ++i) speed.add(detail::magnitude(velocity, i), mass(i));
-  const double threshold = options.moving * speed.quantile(0.999);
-  for (std::size_t i = 0; i < s.size(); ++i) {
-    if (!(detail::magnitude(velocity, i) >= threshold)) continue;
-    horizontal.add(at.horizontal(i), mass(i));
-    vertical.add(std::fabs(at.vertical(i)), mass(i));
-  }
+  const column& mass = s.at("mass");
+  const std::vector<char> moving = detail::moving(s, options.moving);
+  weighted_samples horizontal, vertical;
+  for (std::size_t i = 0; i < s.size(); ++i)
+    if (moving[i]) horizontal.add(at.horizontal(i), mass(i));
   require(horizontal.size() > 0, "particles with a finite place and speed", 0, "at least 1 to choose a window");
   const double back = std::max(options.left, std::min(horizontal.quantile(0.001), -options.least_top));
   const double front = std::max(horizontal.quantile(0.999), back + options.least_top), margin = options.margin * (front - back);
-  const double top = std::max(options.least_top, vertical.quantile(0.999) + margin);
+  for (std::size_t i = 0; i < s.size(); ++i)
+    if (moving[i] && at.horizontal(i) >= back && at.horizontal(i) <= front) vertical.add(std::fabs(at.vertical(i)), mass(i));
+  const double top = std::max(options.least_top, vertical.size() > 0 ? vertical.quantile(0.99) + margin : 0.0);
   return {back, front + margin, -top, top};
 }
 
@@ -179,13 +189,16 @@ inline coloring color_by_value(const snapshot& s, const paint& how, const std::v
   const column &source = s.at(speed ? "velocity" : how.column), &mass = s.at("mass");
   coloring c{std::vector<rgb>(s.size()), {}, how.low, how.high};
   std::vector<double> value(s.size());
-  weighted_samples seen;
+  weighted_samples seen, cloud;
+  const std::vector<char> moving = detail::moving(s, 0.1);
   for (std::size_t i = 0; i < s.size(); ++i) {
     value[i] = (speed ? magnitude(source, i) : source(i)) / how.unit;
-    if (shown[i]) seen.add(value[i], mass(i));
+    if (!shown[i]) continue;
+    seen.add(value[i], mass(i));
+    if (moving[i]) cloud.add(value[i], mass(i));
   }
-  if (!(c.high > c.low)) { // the range of all but the outermost 0.1 % of the mass at either end, rounded outwards
-    const double least = speed ? 0 : seen.quantile(0.001), most = seen.quantile(0.999);
+  if (!(c.high > c.low)) { // rounded outwards; the upper end by the cloud alone, which a heavy plate at rest would drown
+    const double least = speed ? 0 : seen.quantile(0.001), most = std::fmax(cloud.quantile(0.99), seen.quantile(0.9));
     const double step = nice_step(most > least ? most - least : std::fmax(std::fabs(least), 1.0), 10);
     c.low = std::isfinite(least) ? std::floor(least / step + 1e-9) * step : 0;
     c.high = std::isfinite(most) ? std::max(std::ceil(most / step - 1e-9) * step, c.low + step) : 1;
@@ -201,7 +214,8 @@ inline coloring color_particles(const snapshot& s, const paint& how, const windo
                                        : color_by_value(s, how, shown);
 }
 
-/// For each sample of the field the nearest particle whose disc covers it; samples are `fine` to a pixel.
+/// For each sample of the field the nearest particle whose disc covers it: what makes the picture independent of the order of the
+/// particles. Samples are `fine` to a pixel.
 class nearest_particle {
  public:
   nearest_particle(int columns, int rows)
@@ -235,6 +249,7 @@ inline void draw_particles(image& on, const field& f, const snapshot& s, const c
   constexpr int fine = 3;
   const section at(s);
   nearest_particle nearest(fine * f.width, fine * f.height);
+  // a disc of 0.75 spacings covers the corners of its lattice cell (0.71), so an undisturbed lattice has no gaps
   const double scale = fine * f.pixels_per_metre(), radius = std::max(0.75 * s.spacing * scale, fine * least_radius);
   for (std::size_t i = 0; i < s.size(); ++i) {
     const double x = (at.horizontal(i) - f.space.left) * scale;
@@ -245,6 +260,7 @@ inline void draw_particles(image& on, const field& f, const snapshot& s, const c
   for (int y = 0; y < f.height; ++y)
     for (int x = 0; x < f.width; ++x) {
       int sum[3] = {0, 0, 0}, covered = 0;
+      // the mean colour of the covered samples, laid on with the share that is covered
       for (int j = 0; j < fine; ++j)
         for (int i = 0; i < fine; ++i) {
           const std::int32_t particle = nearest(fine * x + i, fine * y + j);
@@ -285,7 +301,8 @@ inline std::string time_text(double seconds) {
 inline image draw_panel(const panel& p, const window& space, const picture_style& style = {}) {
   require(p.particles != nullptr, "snapshots given to the panel \"" + p.title + "\"", 0, "1");
   require(style.width >= 100, "width of a panel", style.width, "at least 100", "pixels");
-  require(style.text >= 4 && style.text <= 0.1 * style.width, "height of the text", style.text, "at least 4 and at most a tenth of the width", "pixels");
+  require(style.text >= 4 && style.text <= 0.1 * style.width, "height of the text", style.text,
+          "at least 4 and at most a tenth of the width", "pixels");
   space.validate();
   const snapshot& s = *p.particles;
   const double text = style.text;
@@ -308,8 +325,9 @@ inline image draw_panel(const panel& p, const window& space, const picture_style
   draw_text(on, f.x, f.y - 1.1 * text, p.title, 1.15 * text, ink);
   draw_text(on, f.x + f.width, f.y - 1.1 * text, detail::time_text(s.time), 1.15 * text, ink, anchor::end);
 
-  const int beside = f.x + f.width + static_cast<int>(1.8 * text), within = f.x + static_cast<int>(1.2 * text);
-  if (values) { // the bar fills the side, so the names of the curves go into the field
+  const int beside = f.x + f.width + static_cast<int>(1.8 * text);
+  const int within = f.x + f.width - static_cast<int>(legend_width(lines, text) - text);
+  if (values) { // the bar fills the side, so the names of the curves go into the upper right corner of the field
     draw_color_bar(on, f, p.how.map, colors.low, colors.high, p.how.label, text);
     draw_legend(on, within, f.y + 1.2 * text, lines, text, true);
   } else {

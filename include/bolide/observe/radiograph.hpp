@@ -5,8 +5,8 @@
 // and seen along y each part of the picture plane (x, z) collects
 //     dm/dx = m (c(x, R2) - c(x, R1)) / (pi (R2^2 - R1^2)),     c(x, R) = 2 sqrt(R^2 - x^2), the chord of a disc
 // times the share of b in the row: the forward Abel transform of that ring. The integral over a pixel is done with the antiderivative
-// of the chord, x w + R^2 atan(x/w), w = sqrt(R^2 - x^2), so the masses of all pixels add up to the particle's mass to round-off. Section: a
-// square of `spread`, at least the particle spacing; at the axis it is cut at r = 0 (R1 = 0).
+// of the chord, x w + R^2 atan(x/w), w = sqrt(R^2 - x^2), so the masses of all pixels add up to the particle's mass to round-off.
+// Section: a square of `spread`, at least the particle spacing; at the axis it is cut at r = 0 (R1 = 0).
 //
 // The film: I/I0 = exp(-mu * areal density), then the unsharpness of source and film as a Gaussian blur of I.
 // mu is the mass attenuation coefficient. Default 0.11 m2/kg: aluminium at an effective 30 keV (1.128 cm2/g in the NIST tables of Hubbell
@@ -28,8 +28,8 @@ namespace bolide::observe {
 
 struct radiograph_options {
   double mu = 0.11;         // m2/kg, mass attenuation coefficient
-  double spread = 0.15e-3;  // m, side of the section over which a particle's mass is spread; at least the particle spacing
-  double unsharpness = 0.1e-3; // m, standard deviation of the blur of the intensity
+  double spread = 0.2e-3;   // m, side of the section over which a particle's mass is spread; at least the particle spacing
+  double unsharpness = 0.15e-3; // m, standard deviation of the blur of the intensity
   bool scale_bar = true;
 
   void validate() const {
@@ -94,7 +94,8 @@ inline areal_density project(const snapshot& s, const window& space, int columns
     const double low = std::max(left, 0.0), top = std::min(right, double(columns));
     for (int c = static_cast<int>(low); c < columns && c < top; ++c) {
       const double part = (std::min(top, c + 1.0) - std::max(low, double(c))) / (right - left);
-      for (int k = first; k < last; ++k) out.value[std::size_t(k) * std::size_t(columns) + std::size_t(c)] += part * share[static_cast<std::size_t>(k)];
+      for (int k = first; k < last; ++k)
+        out.value[std::size_t(k) * std::size_t(columns) + std::size_t(c)] += part * share[static_cast<std::size_t>(k)];
     }
   }
   for (double& v : out.value) v /= wide * high;

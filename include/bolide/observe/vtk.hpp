@@ -136,7 +136,8 @@ class vtk_series {
  private:
   std::string collection_content() const {
     std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
-    for (const auto& [time, file] : frames_) text += "<DataSet timestep=\"" + to_text(time) + "\" file=\"" + detail::xml_text(file) + "\"/>\n";
+    for (const auto& [time, file] : frames_)
+      text += "<DataSet timestep=\"" + to_text(time) + "\" file=\"" + detail::xml_text(file) + "\"/>\n";
     return text + "</Collection>\n</VTKFile>\n";
   }
   std::filesystem::path folder_;

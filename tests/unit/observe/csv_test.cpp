@@ -21,7 +21,8 @@ TEST(csv, rows_are_whole_at_any_moment) {
 }
 
 TEST(csv, doubles_read_back_the_same) {
-  for (const double x : {1.0 / 3, 6.02214076e23, -1e-308, 0.1, 3.0000000000000004}) EXPECT_EQ(std::strtod(csv_cell(x).text().c_str(), nullptr), x);
+  for (const double x : {1.0 / 3, 6.02214076e23, -1e-308, 0.1, 3.0000000000000004})
+    EXPECT_EQ(std::strtod(csv_cell(x).text().c_str(), nullptr), x);
   EXPECT_EQ(csv_cell(0.1f).text(), csv_cell(double(0.1f)).text());
   EXPECT_EQ(csv_cell(std::size_t(18000000000000000000u)).text(), "18000000000000000000");
   EXPECT_EQ(csv_cell(std::nan("")).text(), "nan");

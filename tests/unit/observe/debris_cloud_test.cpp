@@ -38,8 +38,8 @@ struct maker {
 maker line_of_debris() {
   maker k;
   for (int i = 1; i <= 1000; ++i)
-    k.add(0, i * 0.005 * mm, 2 * mm + i * 0.01 * mm, 2.0 * i, i + 100, 1e-6, 300 + i, i > 900 ? 2 : i > 800 ? 1 : 0, i > 900 ? 1 : i > 800 ? 0.5 : 0,
-          i * 1e9);
+    k.add(0, i * 0.005 * mm, 2 * mm + i * 0.01 * mm, 2.0 * i, i + 100, 1e-6, 300 + i, i > 900 ? 2 : i > 800 ? 1 : 0,
+          i > 900 ? 1 : i > 800 ? 0.5 : 0, i * 1e9);
   return k;
 }
 

@@ -20,7 +20,8 @@ template <class Inside> snapshot rings(double spacing, double extent, Inside&& i
       if (inside(r, z)) x.insert(x.end(), {r, z}), m.push_back(2 * std::numbers::pi * r * spacing * spacing * density);
   s.axisymmetric = true, s.spacing = spacing;
   const std::size_t n = m.size();
-  s.add("position", "m", 2, std::move(x)), s.add("velocity", "m/s", 2, std::vector<double>(2 * n, 0.0)), s.add("mass", "kg", 1, std::move(m));
+  s.add("position", "m", 2, std::move(x)), s.add("velocity", "m/s", 2, std::vector<double>(2 * n, 0.0));
+  s.add("mass", "kg", 1, std::move(m));
   return s;
 }
 double total_mass(const snapshot& s) {
@@ -125,7 +126,8 @@ TEST(radiograph, picture_follows_the_law_of_absorption) {
   const picture_style small{.width = 120, .text = 8};
   const radiograph_options options{.mu = 0.05, .spread = 0, .unsharpness = 0, .scale_bar = false};
   const image picture = draw_radiograph(s, around, "", options, small);
-  const rgb middle = picture(static_cast<int>(6.6 * 8) + 60, static_cast<int>(3.6 * 8) + 60), empty = picture(static_cast<int>(6.6 * 8) + 5, static_cast<int>(3.6 * 8) + 5);
+  const int left = static_cast<int>(6.6 * 8), top = static_cast<int>(3.6 * 8);
+  const rgb middle = picture(left + 60, top + 60), empty = picture(left + 5, top + 5);
   EXPECT_NEAR(middle.r, 255 * std::exp(-0.05 * density * 8 * mm), 1.5);
   EXPECT_EQ(empty, white);
 }
