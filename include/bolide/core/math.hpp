@@ -33,9 +33,9 @@ template <class T, int W> BOLIDE_INLINE pack<T, W> max(pack<T, W> a, std::type_i
 template <class T, int W> BOLIDE_INLINE pack<T, W> sqrt(pack<T, W> x) {
   pack<T, W> r;
 #if defined(__AVX512F__)
-  if constexpr (sizeof(x.v) == 64) {
-    if constexpr (sizeof(T) == 8) r.v = (decltype(r.v))_mm512_sqrt_pd((__m512d)x.v);
-    else r.v = (decltype(r.v))_mm512_sqrt_ps((__m512)x.v);
+  if constexpr (sizeof(x.v) == 64) { // the masked form: g++ 12 warns of the plain one's undefined pass-through
+    if constexpr (sizeof(T) == 8) r.v = (decltype(r.v))_mm512_maskz_sqrt_pd(static_cast<__mmask8>(-1), (__m512d)x.v);
+    else r.v = (decltype(r.v))_mm512_maskz_sqrt_ps(static_cast<__mmask16>(-1), (__m512)x.v);
     return r;
   }
 #endif

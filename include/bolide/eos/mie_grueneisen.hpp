@@ -10,7 +10,7 @@
 // p is continuous at rho0, c^2 jumps by gamma0 e. The scenes of the library set it; the convention of the literature is the default.
 //
 // Guard: p_H has a pole at eta = 1/s (rho = 3.96 rho0 for aluminium), which a reflected shock of tens of km/s can cross. From
-// guard/s on (guard = 0.95, rho = 3.44 rho0) p_ref goes on linearly in rho: p and c^2 continuous, no pole. outside_validity() says
+// guard/s on (guard = 0.95, rho = 3.45 rho0) p_ref goes on linearly in rho: p and c^2 continuous, no pole. outside_validity() says
 // which lanes use it, so that a solver can count them.
 // Validity: the Hugoniot of solid metals, and states near it; in expansion p does not fall to a gas's. No temperature: wrap in
 // eos::isentrope_temperature.

@@ -69,7 +69,7 @@ template <class Eos, class Strength, class Failure, class Viscosity = viscosity:
                 "bolide: material: this failure law wants a temperature and the equation of state gives none; wrap it in eos::isentrope_temperature");
 
 public:
-  using particle_fields = field_union_t<fields<field::mass, field::volume, field::energy, field::pressure>, typename Strength::particle_fields,
+  using particle_fields = field_union_t<fields<field::mass, field::velocity, field::volume, field::energy, field::pressure>, typename Strength::particle_fields,
                                         typename Failure::particle_fields, typename Viscosity::particle_fields, typename Record::particle_fields>;
   static constexpr bool thermal = ThermalEquationOfState<Eos>;
 
@@ -178,7 +178,7 @@ private:
     }
     const V rho = mass / volume;
 
-    // elastic trial of the deviator, artificial viscosity
+    // elastic trial of the deviator
     auto s = load_deviator<Space, V>(p, at);
     const auto rate = Space::deviatoric_rate(l);
     V shear_power = zero, shear_energy = zero;
@@ -188,30 +188,31 @@ private:
       const auto spin = Space::jaumann_rate(s, l);
       for (std::size_t c = 0; c < Space::deviator_size; ++c) s[c] = s[c] + dt * (spin[c] + T(2 * strength.shear_modulus) * rate[c]);
     }
-    V c_old = zero, q = zero;
-    if constexpr (Viscosity::present) {
-      c_old = load<V>(p.template get<field::sound_speed>() + at);
-      q = viscosity.pressure(rho, c_old, divergence, step.cell);
-    }
-
-    // equation of state, at the material's own volume
-    V eos_volume = volume;
+    // the material's own volume; artificial viscosity, which a void does not carry
+    V own_volume = volume;
     auto failed = volume < zero; // none
     if constexpr (Failure::may_fail) {
       failed = load<V>(p.template get<field::failed>() + at) > zero;
-      eos_volume = select(failed, min(volume, load<V>(p.template get<field::material_volume>() + at)), volume);
+      own_volume = select(failed, min(volume, load<V>(p.template get<field::material_volume>() + at)), volume);
+    }
+    V q = zero;
+    if constexpr (Viscosity::present) {
+      q = viscosity.pressure(rho, load<V>(p.template get<field::sound_speed>() + at), divergence, step.cell);
+      if constexpr (Failure::may_fail) q = select(failed && volume > own_volume, zero, q);
     }
     const V predicted = e - shear_energy + T(0.5) * dt * (shear_power - (p_old + q) * divergence) / rho;
-    const V eos_rho = mass / eos_volume;
-    const thermal_point<V> state = detail::evaluate_all(eos, eos_rho, predicted);
+
+    // equation of state
+    const V own_rho = mass / own_volume;
+    const thermal_point<V> state = detail::evaluate_all(eos, own_rho, predicted);
     V pressure = state.pressure;
     const V c2_floor(T(sound_speed_floor * sound_speed_floor * c2_reference_));
     if (const auto low = !(state.sound_speed_squared >= c2_floor) && active; any(low)) report.floors.add(floor_kind::sound_speed, count(low));
     const V c2 = max(state.sound_speed_squared, c2_floor);
     if constexpr (thermal)
       if (const auto below = state.temperature < zero && active; any(below)) report.floors.add(floor_kind::cold_energy, count(below));
-    if constexpr (requires { eos.outside_validity(eos_rho, predicted); })
-      if (const auto outside = eos.outside_validity(eos_rho, predicted) && active; any(outside)) report.floors.add(floor_kind::validity, count(outside));
+    if constexpr (requires { eos.outside_validity(own_rho, predicted); })
+      if (const auto outside = eos.outside_validity(own_rho, predicted) && active; any(outside)) report.floors.add(floor_kind::validity, count(outside));
 
     // failure, and the void that opens around failed material
     if constexpr (Failure::may_fail) {
@@ -223,11 +224,11 @@ private:
       }
       failed = failed || now;
       if (any(failed && active)) {
-        const V step_back = pressure / (eos_rho * c2);
+        const V step_back = pressure / (own_rho * c2);
         const V limited = clip(step_back, V(T(-0.2)), V(T(0.25)));
-        const auto open = volume > eos_volume || pressure < zero;
+        const auto open = volume > own_volume || pressure < zero;
         if (const auto cut = failed && open && active && limited != step_back; any(cut)) report.floors.add(floor_kind::void_iteration, count(cut));
-        const V without_void = select(failed && open, min(volume, eos_volume * (one + limited)), volume);
+        const V without_void = select(failed && open, min(volume, own_volume * (one + limited)), volume);
         pressure = select(failed && open, zero, pressure);
         detail::store_first(without_void, p.template get<field::material_volume>() + at, n);
         detail::store_first(select(failed, one, zero), p.template get<field::failed>() + at, n);
@@ -235,7 +236,7 @@ private:
     }
 
     // radial return
-    V wave2 = c2;
+    V wave2 = select(own_volume < volume, zero, c2); // a void carries no wave
     if constexpr (Strength::carries_shear) {
       const T g = T(strength.shear_modulus);
       const V equivalent = sqrt(T(1.5) * Space::contract(s, s));
@@ -253,7 +254,7 @@ private:
       }
       for (int c = 0; c < Space::deviator_size; ++c)
         detail::store_first(select(failed, zero, s[static_cast<std::size_t>(c)] * scale), p.template get<field::deviator>(c) + at, n);
-      wave2 = c2 + select(failed, zero, V(T(4.0 / 3) * g) / rho);
+      wave2 = wave2 + select(failed, zero, V(T(4.0 / 3) * g) / rho);
     }
 
     detail::store_first(volume, p.template get<field::volume>() + at, n);
@@ -265,15 +266,15 @@ private:
     if constexpr (particle_fields::template contains<field::peak_pressure>)
       detail::store_first(max(pressure, load<V>(p.template get<field::peak_pressure>() + at)), p.template get<field::peak_pressure>() + at, n);
 
-    limit_step<Space, V>(p, at, n, l, divergence, wave2, sqrt(c2), step, report);
+    limit_step<Space, V>(p, at, n, l, divergence, wave2, step, report);
   }
 
   /// Finds the particle that asks for the shortest step: courant h / (Q + sqrt(Q^2 + c^2) + |v|), and 0.25 / |L|.
   template <class Space, class V, class Columns>
-  BOLIDE_INLINE void limit_step(const Columns& p, std::size_t at, int n, const typename Space::template gradient<V>& l, V divergence, V wave2, V c,
+  BOLIDE_INLINE void limit_step(const Columns& p, std::size_t at, int n, const typename Space::template gradient<V>& l, V divergence, V wave2,
                                 const step_context<scalar_t<V>>& step, update_report& report) const {
     using T = scalar_t<V>;
-    const V q_speed = viscosity.signal_speed(c, divergence, step.cell);
+    const V q_speed = select(wave2 > V(T(0)), viscosity.signal_speed(sqrt(wave2), divergence, step.cell), V(T(0)));
     const V signal = q_speed + sqrt(q_speed * q_speed + wave2);
     V v2 = V(T(0));
     for (int d = 0; d < Space::dim; ++d) v2 = v2 + square(load<V>(p.template get<field::velocity>(d) + at));

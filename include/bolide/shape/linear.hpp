@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Linear (tent) shape function: N = 1 - |x - i| in units of the cell size; two nodes per axis. Continuous, its slope jumps at cell
 // faces (the cell-crossing noise of the original material point method). Exact for linear fields; second order on a lattice.
+// A particle exactly on a face would put a force on a node that has no mass, and that force would be lost: the far node keeps a
+// share of a few machine epsilons instead, which leaves partition of unity exact and momentum whole.
 #pragma once
 
 #include "bolide/core/math.hpp"
+
+#include <limits>
 
 namespace bolide::shape {
 
@@ -15,8 +19,8 @@ struct linear {
 
   /// f = x - first node, in [0, 1).
   template <class V> BOLIDE_INLINE static void value(V f, V* n) {
-    n[0] = V(1) - f;
-    n[1] = f;
+    n[1] = max(f, V(4 * std::numeric_limits<scalar_t<V>>::epsilon()));
+    n[0] = V(1) - n[1];
   }
   template <class V> BOLIDE_INLINE static void slope(V, V* d) {
     d[0] = V(-1);
