@@ -27,9 +27,10 @@ int main() {
   const phase::branch::liquid liquid;
   const phase::branch::hot_liquid hot;
   const double E_ms = solid.end(isochore), E_m = liquid.begin(isochore), E_G = hot.begin(isochore);
-  std::printf("V/V0 = %g: T_m = %.1f K, solidus E_ms = %.4f, liquidus E_m = %.4f, hot liquid from E_G = %.3f MJ/kg\n", x, isochore.melting, E_ms / MJ,
-              E_m / MJ, E_G / MJ);
-  std::printf("superheated solid at E_m: %.1f K, liquid there: %.1f K (the paper's jump)\n\n", solid.temperature(isochore, E_m), liquid.temperature(isochore, E_m));
+  std::printf("V/V0 = %g: T_m = %.1f K, solidus E_ms = %.4f, liquidus E_m = %.4f, hot liquid from E_G = %.3f MJ/kg\n", x,
+              isochore.melting, E_ms / MJ, E_m / MJ, E_G / MJ);
+  std::printf("superheated solid at E_m: %.1f K, liquid there: %.1f K (the paper's jump)\n\n",
+              solid.temperature(isochore, E_m), liquid.temperature(isochore, E_m));
 
   std::printf("%8s %10s  %-10s %10s %6s %10s %10s\n", "V/V0", "e_k MJ/kg", "region", "T K", "melt", "p_th GPa", "p GPa");
   const auto row = [&](double at, double e_k) {
@@ -45,7 +46,8 @@ int main() {
   const auto half = regions.evaluate(x, 0.5 * (E_ms + E_m), x / rho0);
   const double mean = 0.5 * (solid.evaluate(isochore, E_ms).thermal_pressure + liquid.evaluate(isochore, E_m).thermal_pressure);
   const bool good = std::abs(half.thermal_pressure / mean - 1) < 1e-12 && std::abs(half.melt_fraction - 0.5) < 1e-12;
-  std::printf("\nhalf molten: p_th = %.6f GPa, mean of both ends %.6f GPa: %s; %.1f ms\n", half.thermal_pressure / GPa, mean / GPa, good ? "equal" : "NOT EQUAL",
+  std::printf("\nhalf molten: p_th = %.6f GPa, mean of both ends %.6f GPa: %s; %.1f ms\n", half.thermal_pressure / GPa,
+              mean / GPa, good ? "equal" : "NOT EQUAL",
               std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() * 1e3);
   return good ? 0 : 1;
 }

@@ -47,7 +47,8 @@ template <class Eos> shock_state hugoniot(const Eos& eos, double rho0, double e0
   require(up > 0, "hugoniot up", up, "> 0", "m/s");
   const auto residual = [&](double compression) { // of compression = up/us = 1 - rho0/rho
     const double us = up / compression, p = p0 + rho0 * us * up;
-    return (eos.evaluate(rho0 / (1 - compression), e0 + p0 * up / (rho0 * us) + 0.5 * up * up).pressure - p) / (std::abs(p) + std::abs(p0) + 1);
+    const double e = e0 + p0 * up / (rho0 * us) + 0.5 * up * up;
+    return (eos.evaluate(rho0 / (1 - compression), e).pressure - p) / (std::abs(p) + std::abs(p0) + 1);
   };
   // Weak compression: the momentum jump wins (residual < 0).
   // Geometric steps below 1 %, then even ones to a compression of 0.95.

@@ -16,14 +16,16 @@ struct melt_thresholds {
 namespace detail {
 template <class Fraction> double threshold_speed(const Fraction& fraction, double slow, double fast, bool complete) {
   const auto molten = [&](double up) { return complete ? fraction(up) >= 1 : fraction(up) > 0; };
-  require(!molten(slow) && molten(fast), "fast end of the melt threshold search", fast, "a particle speed that melts (and the slow end one that does not)", "m/s");
+  require(!molten(slow) && molten(fast), "fast end of the melt threshold search", fast,
+          "a particle speed that melts (and the slow end one that does not)", "m/s");
   for (int i = 0; i < 45; ++i) (molten(0.5 * (slow + fast)) ? fast : slow) = 0.5 * (slow + fast);
   return fast;
 }
 } // namespace detail
 
 /// The thresholds of material that is shocked from `ahead`, looked for between the particle speeds slow and fast (m/s).
-template <class Eos> melt_thresholds find_melt_thresholds(const Eos& eos, const eos::material_state& ahead, double slow = 1500, double fast = 7000) {
+template <class Eos> melt_thresholds find_melt_thresholds(const Eos& eos, const eos::material_state& ahead, double slow = 1500,
+                                                           double fast = 7000) {
   static_assert(ThermalEquationOfState<Eos>, "bolide: analysis::find_melt_thresholds needs a ThermalEquationOfState.");
   const auto shocked = [&](double up) { return hugoniot(eos, ahead, up).melt_fraction; };
   const auto released = [&](double up) {

@@ -100,7 +100,8 @@ template <class Eos> released_state release_isentrope(const Eos& eos, double rho
   const double p = eos.evaluate(rho, e).pressure;
   require(p > p_end, "pressure at the start of a release", p, "above the end pressure", "Pa");
   released_state r{};
-  const auto end = detail::follow_isentrope(eos, rho, e, true, [&](const detail::isentrope_point& a) { return detail::pressure_at(eos, a) - p_end; }, r.steps);
+  const auto above = [&](const detail::isentrope_point& a) { return detail::pressure_at(eos, a) - p_end; };
+  const auto end = detail::follow_isentrope(eos, rho, e, true, above, r.steps);
   r.density = std::exp(-end.y);
   r.energy = end.e;
   r.speed_gain = end.u;

@@ -19,13 +19,15 @@
 namespace bolide::eos {
 
 template <class Cold, class Phase> struct grover {
-  static_assert(ColdCurve<Cold>, "bolide: eos::grover needs a ColdCurve first: evaluate(x) -> {energy, pressure, slope} and reference_density().");
+  static_assert(ColdCurve<Cold>, "bolide: eos::grover needs a ColdCurve first: "
+                                 "evaluate(x) -> {energy, pressure, slope} and reference_density().");
   static_assert(PhaseSolver<Phase>, "bolide: eos::grover needs a PhaseSolver second: evaluate(x, e_k, V) -> phase_point.");
 
   Cold cold;
   Phase phase;
 
-  explicit grover(Cold cold_curve, Phase phase_solver = {}) : cold(std::move(cold_curve)), phase(std::move(phase_solver)), inverse_density_(1 / cold.reference_density()) {
+  explicit grover(Cold cold_curve, Phase phase_solver = {})
+      : cold(std::move(cold_curve)), phase(std::move(phase_solver)), inverse_density_(1 / cold.reference_density()) {
     require(cold.reference_density() > 0, "eos::grover reference density of the cold curve", cold.reference_density(), "> 0", "kg/m3");
   }
 

@@ -90,7 +90,8 @@ private:
   }
   void set(int row, const node& a, const node& b) {
     const double h = theta_.step(), rise = b.theta - a.theta;
-    theta_.set(static_cast<std::size_t>(row), {a.theta, h * a.slope, 3 * rise - h * (2 * a.slope + b.slope), h * (a.slope + b.slope) - 2 * rise});
+    theta_.set(static_cast<std::size_t>(row),
+               {a.theta, h * a.slope, 3 * rise - h * (2 * a.slope + b.slope), h * (a.slope + b.slope) - 2 * rise});
   }
   void fill() {
     const double h = theta_.step();
@@ -106,8 +107,8 @@ private:
         else set(row - 1, next, here);
         here = next;
       }
-      require(std::isfinite(here.theta) && std::isfinite(here.slope), "eos::isentrope_temperature theta at the end of its table", here.theta,
-              "finite (the wrapped model must answer for 0.1 to 4 times its reference density)", "K");
+      require(std::isfinite(here.theta) && std::isfinite(here.slope), "eos::isentrope_temperature theta at the end of its table",
+              here.theta, "finite (the wrapped model must answer for 0.1 to 4 times its reference density)", "K");
       // The first and the last row are the linear continuations.
       if (direction > 0) theta_.set(static_cast<std::size_t>(rows - 1), {here.theta, h * here.slope, 0, 0});
       else theta_.set(0, {here.theta - h * here.slope, h * here.slope, 0, 0});

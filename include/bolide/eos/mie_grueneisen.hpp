@@ -5,8 +5,8 @@
 //   compression  p_ref = p_H (1 - gamma0 eta/2)               expansion  p_ref = rho0 c0^2 (rho/rho0 - 1)
 //   c^2 = dp_ref/drho + p gamma0 rho0/rho^2                   (continuous at rho0)
 //
-// Expansion: with Gamma rho constant, hot expanded material (e > c0^2/gamma0, 14 MJ/kg) keeps a finite pressure and a sound speed that grows
-// without bound as rho -> 0, which ends a hypervelocity run in a vanishing time step. constant_gamma = true takes gamma0 rho e there:
+// Expansion: with Gamma rho constant, hot expanded material (e > c0^2/gamma0, 14 MJ/kg) keeps a finite pressure and a sound speed
+// that grows without bound as rho -> 0, which ends a hypervelocity run in a vanishing time step. constant_gamma = true takes gamma0 rho e there:
 // p is continuous at rho0, c^2 jumps by gamma0 e. The scenes of the library set it; the convention of the literature is the default.
 //
 // Guard: p_H has a pole at eta = 1/s (rho = 3.96 rho0 for aluminium), which a reflected shock of tens of km/s can cross. From
@@ -39,7 +39,8 @@ struct mie_grueneisen {
     require(q_.rho0 > 0, "eos::mie_grueneisen rho0", q_.rho0, "> 0", "kg/m3");
     require(q_.c0 > 0, "eos::mie_grueneisen c0", q_.c0, "> 0", "m/s");
     require(q_.s > 1, "eos::mie_grueneisen s", q_.s, "> 1 (the guard needs a pole at finite density)");
-    require(q_.gamma0 > 0 && q_.gamma0 < 2 * q_.s, "eos::mie_grueneisen gamma0", q_.gamma0, "> 0 and < 2 s (p_ref must rise up to the pole)");
+    require(q_.gamma0 > 0 && q_.gamma0 < 2 * q_.s, "eos::mie_grueneisen gamma0", q_.gamma0,
+            "> 0 and < 2 s (p_ref must rise up to the pole)");
     require(q_.guard > 0 && q_.guard < 1, "eos::mie_grueneisen guard", q_.guard, "between 0 and 1");
     inverse_rho0_ = 1 / q_.rho0;
     eta_guard_ = q_.guard / q_.s;

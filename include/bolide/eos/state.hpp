@@ -27,7 +27,8 @@ struct material_state {
 /// The state at (rho, e). Throws bad_parameter where c^2 is not positive.
 template <class Eos> material_state state_at(const Eos& eos, double rho, double e) {
   const auto r = eos.evaluate(rho, e);
-  require(r.sound_speed_squared > 0, "sound speed squared of a material state", r.sound_speed_squared, "> 0 (the model is stable there)", "m2/s2");
+  require(r.sound_speed_squared > 0, "sound speed squared of a material state", r.sound_speed_squared,
+          "> 0 (the model is stable there)", "m2/s2");
   double temperature = std::nan("");
   if constexpr (ThermalEquationOfState<Eos>) temperature = r.temperature;
   return {rho, e, temperature, r.pressure, std::sqrt(r.sound_speed_squared)};
@@ -67,13 +68,15 @@ template <class Eos> material_state ambient_state(const Eos& eos, double T0 = 29
   require(T0 > 0 && T0 < 1e5, "ambient temperature", T0, "between 0 and 1e5", "K");
   double rho, e = 0;
   if constexpr (ThermalEquationOfState<Eos>) {
-    rho = detail::density_near([&](double r) { return eos.evaluate(r, detail::energy_at(eos, r, T0)).pressure; }, eos.reference_density());
+    const auto pressure = [&](double r) { return eos.evaluate(r, detail::energy_at(eos, r, T0)).pressure; };
+    rho = detail::density_near(pressure, eos.reference_density());
     e = detail::energy_at(eos, rho, T0);
     require(std::isfinite(rho) && std::isfinite(e), "ambient temperature", T0,
             "one at which the equation of state has p = 0 between 0.6 and 1.6 times its reference density", "K");
   } else {
     rho = detail::density_near([&](double r) { return eos.evaluate(r, 0.0).pressure; }, eos.reference_density());
-    require(std::isfinite(rho), "reference density", eos.reference_density(), "within a factor 0.6 to 1.6 of a density with p = 0 at e = 0", "kg/m3");
+    require(std::isfinite(rho), "reference density", eos.reference_density(),
+            "within a factor 0.6 to 1.6 of a density with p = 0 at e = 0", "kg/m3");
   }
   return state_at(eos, rho, e);
 }

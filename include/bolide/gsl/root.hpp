@@ -16,7 +16,8 @@ template <class F> double root(const F& f, double low, double high, double relat
   gsl_function function;
   function.function = [](double x, void* p) { return (*static_cast<const F*>(p))(x); };
   function.params = const_cast<F*>(&f);
-  const std::unique_ptr<gsl_root_fsolver, decltype(&gsl_root_fsolver_free)> solver(gsl_root_fsolver_alloc(gsl_root_fsolver_brent), gsl_root_fsolver_free);
+  const std::unique_ptr<gsl_root_fsolver, decltype(&gsl_root_fsolver_free)> solver(
+      gsl_root_fsolver_alloc(gsl_root_fsolver_brent), gsl_root_fsolver_free);
   check(gsl_root_fsolver_set(solver.get(), &function, low, high), "gsl_root_fsolver_set");
   for (int i = 0; i < 200; ++i) {
     check(gsl_root_fsolver_iterate(solver.get()), "gsl_root_fsolver_iterate");

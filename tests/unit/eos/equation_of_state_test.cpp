@@ -35,6 +35,7 @@ template <> grover_table<phase::paper> make() { return grover_table<phase::paper
 template <> grover_table<phase::mixed> make() { return grover_table<phase::mixed>{table()}; }
 template <> grover_table<phase::helm> make() { return grover_table<phase::helm>{table()}; }
 template <> scaled_grover make() { return {make<grover_table<phase::mixed>>(), 1.05}; }
+template <> eos::scaled_density<eos::mie_grueneisen> make() { return {eos::mie_grueneisen({.constant_gamma = true}), 1.0}; }
 template <> floored_grover make() { return floored_grover{make<grover_table<phase::mixed>>(), 0.05}; }
 template <> eos::isentrope_temperature<eos::mie_grueneisen> make() { return eos::isentrope_temperature{eos::mie_grueneisen{}}; }
 template <> eos::isentrope_temperature<eos::tillotson> make() { return eos::isentrope_temperature{eos::tillotson{}}; }
@@ -42,8 +43,10 @@ template <> eos::isentrope_temperature<eos::tillotson> make() { return eos::isen
 template <class E> struct EveryEos : ::testing::Test {
   const E model = make<E>();
 };
-using models = ::testing::Types<grover_exact, grover_table<phase::paper>, grover_table<phase::mixed>, grover_table<phase::helm>, eos::mie_grueneisen, eos::tillotson,
-                                eos::isentrope_temperature<eos::mie_grueneisen>, eos::isentrope_temperature<eos::tillotson>, scaled_grover, floored_grover>;
+using models = ::testing::Types<grover_exact, grover_table<phase::paper>, grover_table<phase::mixed>, grover_table<phase::helm>, eos::mie_grueneisen,
+                                eos::tillotson,
+                                eos::isentrope_temperature<eos::mie_grueneisen>, eos::isentrope_temperature<eos::tillotson>, scaled_grover, floored_grover,
+                                eos::scaled_density<eos::mie_grueneisen>>; // the last: constant_gamma in expansion
 TYPED_TEST_SUITE(EveryEos, models);
 
 /// Whether all points of a stencil lie on one smooth piece of the surface.

@@ -34,7 +34,8 @@ public:
   /// eta_max: largest tabulated density ratio; per_unit: nodes per unit of eta.
   template <class Exact> explicit tabulated(const Exact& exact, double eta_max = 5, int per_unit = 200)
       : density_(exact.reference_density()), table_(make(eta_max, per_unit)), area_to_energy_(table_.step() / density_) {
-    static_assert(ColdCurve<Exact>, "bolide: cold::tabulated needs a ColdCurve: evaluate(x) -> {energy, pressure, slope} and reference_density().");
+    static_assert(ColdCurve<Exact>, "bolide: cold::tabulated needs a ColdCurve: "
+                                    "evaluate(x) -> {energy, pressure, slope} and reference_density().");
     fill(exact);
     measure(exact);
   }

@@ -34,7 +34,8 @@ struct published {
   template <class V> static BOLIDE_INLINE isochore<V> at(const grover_parameters& q, V x, V density) {
     using T = scalar_t<V>;
     const V exponent = T(2 * q.a) * (V(T(1)) - x) - T(2 * (q.g0 - q.a - 1.0 / 3.0)) * log(x);
-    return {density, V(T(q.g0 - q.a)) + T(q.a) * x, T(q.a) * x, T(q.Tm0) * exp(max(exponent, V(T(lowest_melting_exponent)))), V(T(q.G)), T(0)};
+    return {density,      V(T(q.g0 - q.a)) + T(q.a) * x,
+            T(q.a) * x,   T(q.Tm0) * exp(max(exponent, V(T(lowest_melting_exponent)))), V(T(q.G)), T(0)};
   }
 };
 
