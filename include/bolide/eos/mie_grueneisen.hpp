@@ -6,7 +6,8 @@
 //   c^2 = dp_ref/drho + p gamma0 rho0/rho^2                   (continuous at rho0)
 //
 // Expansion: with Gamma rho constant, hot expanded material (e > c0^2/gamma0, 14 MJ/kg) keeps a finite pressure and a sound speed
-// that grows without bound as rho -> 0, which ends a hypervelocity run in a vanishing time step. constant_gamma = true takes gamma0 rho e there:
+// that grows without bound as rho -> 0, which ends a hypervelocity run in a vanishing time step. constant_gamma = true takes
+// gamma0 rho e there:
 // p is continuous at rho0, c^2 jumps by gamma0 e. The scenes of the library set it; the convention of the literature is the default.
 //
 // Guard: p_H has a pole at eta = 1/s (rho = 3.96 rho0 for aluminium), which a reflected shock of tens of km/s can cross. From

@@ -35,9 +35,11 @@ TEST(Hugoniot, OfMieGrueneisenIsItsOwnLine) {
 }
 
 TEST(Hugoniot, TableOfShockStatesAndFrontSpeeds) { // impact speed, us, p, rho/rho0, front, residual e
-  const double rows[][6] = {{2, 6.666, 18.56, 1.1765, 2.006, 0.056},  {5, 8.673, 60.39, 1.4050, 5.090, 0.545},    {6.64, 9.770, 90.34, 1.5147, 6.835, 1.022},
-                            {7, 10.011, 97.58, 1.5376, 7.225, 1.142}, {10, 12.018, 167.35, 1.7125, 10.57, 2.29},  {15, 15.363, 320.89, 1.9538, 16.49, 4.34},
-                            {20, 18.708, 521.0, 2.1484, 0, 0},        {70, 52.158, 5084, 3.0399, 0, 0}};
+  const double rows[][6] = {
+      {2, 6.666, 18.56, 1.1765, 2.006, 0.056}, {5, 8.673, 60.39, 1.4050, 5.090, 0.545},
+      {6.64, 9.770, 90.34, 1.5147, 6.835, 1.022}, {7, 10.011, 97.58, 1.5376, 7.225, 1.142},
+      {10, 12.018, 167.35, 1.7125, 10.57, 2.29}, {15, 15.363, 320.89, 1.9538, 16.49, 4.34}, {20, 18.708, 521.0, 2.1484, 0, 0},
+      {70, 52.158, 5084, 3.0399, 0, 0}};
   const eos::mie_grueneisen model;
   const auto ahead = eos::ambient_state(model);
   for (const auto& r : rows) {
@@ -53,8 +55,9 @@ TEST(Hugoniot, TableOfShockStatesAndFrontSpeeds) { // impact speed, us, p, rho/r
 }
 
 TEST(Hugoniot, TableOfTheNewEquationOfState) { // us against up; computed with the sharp cut-off (the default is 2 to 6 m/s lower)
-  const double rows[][4] = {{1000, 6777, 6698, 6753},   {2000, 8233, 8151, 8183},    {3000, 9680, 9597, 9543},   {3320, 10134, 10052, 9967},
-                            {4000, 11102, 11019, 10852}, {5000, 12504, 12639, 12126}, {6000, 14081, 13989, 13379}};
+  const double rows[][4] = {
+      {1000, 6777, 6698, 6753}, {2000, 8233, 8151, 8183}, {3000, 9680, 9597, 9543}, {3320, 10134, 10052, 9967},
+      {4000, 11102, 11019, 10852}, {5000, 12504, 12639, 12126}, {6000, 14081, 13989, 13379}};
   const eos::grover paper{lattice(sharp), phase::paper{}};
   const eos::grover mixed{lattice(sharp), phase::mixed{}};
   const eos::grover standard{lattice(none), phase::mixed{}};
@@ -77,7 +80,8 @@ TEST(Hugoniot, TableOfTheNewEquationOfState) { // us against up; computed with t
 TEST(Hugoniot, WithinFourPercentOfTheMeasuredLine) { // LASL 6061: us = 5350 + 1.34 up, to 4 km/s
   const eos::grover mixed{lattice(none), phase::mixed{}};
   const auto ahead = eos::ambient_state(mixed);
-  for (double up = 500; up <= 4000; up += 500) EXPECT_NEAR(analysis::hugoniot(mixed, ahead, up).shock_speed / (5350 + 1.34 * up), 1, 0.04) << up;
+  for (double up = 500; up <= 4000; up += 500) EXPECT_NEAR(analysis::hugoniot(mixed, ahead, up).shock_speed / (5350 + 1.34 * up), 1,
+      0.04) << up;
 }
 
 TEST(Hugoniot, TakesTheLargestOfSeveralRootsAndNoJump) { // the paper's melting jump gives three sign changes, one of them no root

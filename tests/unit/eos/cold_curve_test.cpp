@@ -44,12 +44,18 @@ struct row { double x, p_sharp, e_sharp, p_none, e_none, p_digit_sharp, e_digit_
 TEST(CaiYe, ReferenceTable) {
   // x, p GPa and e MJ/kg with the sharp cut-off and without, and half a unit of the last printed digit of each
   const row rows[] = {
-      {0.3, 1316.7, 58.91, 1316.3, 58.899, .05, .005, .05, .0005},        {0.4, 548.9, 26.80, 548.74, 26.801, .05, .005, .005, .0005},
-      {0.5, 256.7, 12.654, 256.51, 12.650, .05, .0005, .005, .0005},      {0.6, 126.4, 5.853, 126.35, 5.8521, .05, .0005, .005, .00005},
-      {0.7, 62.48, 2.493, 62.335, 2.4866, .005, .0005, .0005, .00005},    {0.8, 28.79, 0.865, 28.722, 0.86281, .005, .0005, .0005, 5e-6},
-      {0.9, 10.357, 0.1739, 10.310, 0.17256, .0005, .00005, .0005, 5e-6}, {1.1, -5.837, 0.118, -5.8503, 0.11912, .0005, .0005, .00005, 5e-6},
-      {1.3471, -11.227, 0.967, -11.247, 0.96657, .0005, .0005, .0005, 5e-6}, {1.6, -11.668, 2.062, -11.691, 2.0612, .0005, .0005, .0005, .00005},
-      {2, -9.965, 3.680, -9.9719, 3.6802, .0005, .0005, .00005, .00005},  {3, -5.716, 6.523, -5.7273, 6.5213, .0005, .0005, .00005, .00005},
+      {0.3, 1316.7, 58.91, 1316.3, 58.899, .05, .005, .05, .0005},
+      {0.4, 548.9, 26.80, 548.74, 26.801, .05, .005, .005, .0005},
+      {0.5, 256.7, 12.654, 256.51, 12.650, .05, .0005, .005, .0005},
+      {0.6, 126.4, 5.853, 126.35, 5.8521, .05, .0005, .005, .00005},
+      {0.7, 62.48, 2.493, 62.335, 2.4866, .005, .0005, .0005, .00005},
+      {0.8, 28.79, 0.865, 28.722, 0.86281, .005, .0005, .0005, 5e-6},
+      {0.9, 10.357, 0.1739, 10.310, 0.17256, .0005, .00005, .0005, 5e-6},
+      {1.1, -5.837, 0.118, -5.8503, 0.11912, .0005, .0005, .00005, 5e-6},
+      {1.3471, -11.227, 0.967, -11.247, 0.96657, .0005, .0005, .0005, 5e-6},
+      {1.6, -11.668, 2.062, -11.691, 2.0612, .0005, .0005, .0005, .00005},
+      {2, -9.965, 3.680, -9.9719, 3.6802, .0005, .0005, .00005, .00005},
+      {3, -5.716, 6.523, -5.7273, 6.5213, .0005, .0005, .00005, .00005},
       {5, -2.205, 9.204, -2.2119, 9.2022, .0005, .0005, .00005, .00005}};
   const cold::cai_ye none, sharp(cold::cutoff::sharp);
   const double slack = 1.05; // a value that sits on the rounding border
@@ -64,7 +70,9 @@ TEST(CaiYe, ReferenceTable) {
 
 TEST(CaiYe, SharpCutoffJumpsWherePredicted) {
   const cold::cai_ye sharp(cold::cutoff::sharp), none;
-  const double jumps[][2] = {{4.4921, 9}, {2.4452, 29}, {1.5882, 17}, {1.1364, 43}, {0.8645, 18}, {0.6860, 136}, {0.5615, 21}, {0.4706, 148}, {0.4018, 115}};
+  const double jumps[][2] = {
+      {4.4921, 9}, {2.4452, 29}, {1.5882, 17}, {1.1364, 43}, {0.8645, 18}, {0.6860, 136}, {0.5615, 21}, {0.4706, 148},
+      {0.4018, 115}};
   for (const auto& jump : jumps) {
     double best = 1e9, at = 0; // the shell whose crossing is nearest to the printed x
     for (const auto& shell : cold::fcc_shells(3)) {
@@ -84,13 +92,15 @@ TEST(CaiYe, DerivativesMatchFiniteDifferences) {
     for (double x = 0.25; x < 6; x *= 1.0731) {
       const double h = 1e-4 * x;
       const auto d = [&](auto get) {
-        return (8 * (get(exact.evaluate(x + h)) - get(exact.evaluate(x - h))) - (get(exact.evaluate(x + 2 * h)) - get(exact.evaluate(x - 2 * h)))) / (12 * h);
+        return (8 * (get(exact.evaluate(x + h)) - get(exact.evaluate(x - h)))
+               - (get(exact.evaluate(x + 2 * h)) - get(exact.evaluate(x - 2 * h)))) / (12 * h);
       };
       bool crossed = false; // a shell inside the stencil
       for (const auto& shell : cold::fcc_shells(3)) crossed = crossed || std::abs(std::pow(1.65 / shell.distance, 3) - x) < 3 * h;
       if (crossed) continue;
       const auto c = exact.evaluate(x);
-      expect_close(-exact.reference_density() * d([](auto p) { return p.energy; }), c.pressure, 2e-9, 1e9, "p = -de/dV at x = " + std::to_string(x));
+      expect_close(-exact.reference_density() * d([](auto p) { return p.energy; }), c.pressure, 2e-9, 1e9,
+          "p = -de/dV at x = " + std::to_string(x));
       expect_close(d([](auto p) { return p.pressure; }), c.slope, 2e-9, 1e9, "dp/dx at x = " + std::to_string(x));
     }
   }

@@ -43,9 +43,10 @@ template <> eos::isentrope_temperature<eos::tillotson> make() { return eos::isen
 template <class E> struct EveryEos : ::testing::Test {
   const E model = make<E>();
 };
-using models = ::testing::Types<grover_exact, grover_table<phase::paper>, grover_table<phase::mixed>, grover_table<phase::helm>, eos::mie_grueneisen,
-                                eos::tillotson,
-                                eos::isentrope_temperature<eos::mie_grueneisen>, eos::isentrope_temperature<eos::tillotson>, scaled_grover, floored_grover,
+using models = ::testing::Types<grover_exact, grover_table<phase::paper>, grover_table<phase::mixed>, grover_table<phase::helm>,
+                                eos::mie_grueneisen, eos::tillotson,
+                                eos::isentrope_temperature<eos::mie_grueneisen>, eos::isentrope_temperature<eos::tillotson>,
+                                scaled_grover, floored_grover,
                                 eos::scaled_density<eos::mie_grueneisen>>; // the last: constant_gamma in expansion
 TYPED_TEST_SUITE(EveryEos, models);
 
@@ -80,7 +81,8 @@ TYPED_TEST(EveryEos, SoundSpeedIsThePressureDerivative) {
       const double p_rho = slope([&](double d) { return eos.evaluate(rho + d, e).pressure; }, dr);
       const double p_e = slope([&](double d) { return eos.evaluate(rho, e + d).pressure; }, de);
       const auto p = eos.evaluate(rho, e);
-      expect_close(p.sound_speed_squared, p_rho + p.pressure * p_e / (rho * rho), 1e-6, 1e6, "c^2 at eta = " + std::to_string(eta) + " e = " + std::to_string(e));
+      expect_close(p.sound_speed_squared, p_rho + p.pressure * p_e / (rho * rho), 1e-6, 1e6,
+          "c^2 at eta = " + std::to_string(eta) + " e = " + std::to_string(e));
       ++tried;
     }
   EXPECT_GT(tried, 2000);
@@ -92,7 +94,8 @@ TYPED_TEST(EveryEos, NothingIsNaNAnywhere) {
       const auto p = this->model.evaluate(eta * this->model.reference_density(), e);
       EXPECT_TRUE(std::isfinite(p.pressure) && std::isfinite(p.sound_speed_squared)) << "eta = " << eta << " e = " << e;
       if constexpr (ThermalEquationOfState<TypeParam>) {
-        EXPECT_TRUE(std::isfinite(p.temperature) && std::isfinite(p.melting_temperature) && std::isfinite(p.melt_fraction)) << "eta = " << eta << " e = " << e;
+        EXPECT_TRUE(std::isfinite(p.temperature) && std::isfinite(p.melting_temperature) && std::isfinite(p.melt_fraction)) << "eta = "
+            << eta << " e = " << e;
       }
     }
 }
@@ -110,7 +113,8 @@ TYPED_TEST(EveryEos, AmbientAndColdStates) {
   }
 }
 
-// Scalar and packed, double and float (cold_curve_test and phase_test go through every width); float's tolerance follows from the 6e-8 of a density, which p and c^2 feel times about 100.
+// Scalar and packed, double and float (cold_curve_test and phase_test go through every width); float's tolerance follows from the 6e-8
+// of a density, which p and c^2 feel times about 100.
 template <class V, class E> void lanes_agree(const E& eos) {
   using T = scalar_t<V>;
   const double eps = test::epsilon<V>(400);

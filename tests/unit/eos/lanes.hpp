@@ -29,6 +29,7 @@ template <class V> V ramp(double first, double step) {
 /// Round-off of the lane's number type times `times`.
 template <class V> double epsilon(double times) { return times * (sizeof(scalar_t<V>) == 8 ? 2.3e-16 : 1.2e-7); }
 
-using every_lane = ::testing::Types<float, pack<double, 2>, pack<double, 4>, pack<double, 8>, pack<float, 4>, pack<float, 8>, pack<float, 16>>;
+using every_lane = ::testing::Types<float, pack<double, 2>, pack<double, 4>, pack<double, 8>, pack<float, 4>, pack<float, 8>,
+                                    pack<float, 16>>;
 
 } // namespace bolide::test

@@ -111,7 +111,8 @@ TEST(IsentropeTemperature, OfMieGrueneisenHasTheClosedForm) { // Gamma rho const
     }
     const double e_s = weighted * std::exp(-g * x1), t_s = 293 * std::exp(g * (1 - x1));
     for (const double e : {e_s, e_s + 1e6, e_s - 3e5})
-      expect_close(eos.evaluate(2785 * eta, e).temperature, t_s + (e - e_s) / 875, 2e-9, 300 + std::abs(e_s) / 875, "T at eta = " + std::to_string(eta));
+      expect_close(eos.evaluate(2785 * eta, e).temperature, t_s + (e - e_s) / 875, 2e-9, 300 + std::abs(e_s) / 875,
+          "T at eta = " + std::to_string(eta));
   }
 }
 

@@ -237,8 +237,10 @@ template <class Eos> jump across_energy(const Eos& eos, double x, double e_k) {
 
 TEST(Regions, PaperVariantJumpsAtTheLiquidus) { // the tables of docs/eos.md were computed with the sharp cut-off
   const eos::grover eos{cold::cai_ye{cold::cutoff::sharp}, paper{}};
-  const double rows[][7] = {{0.5, 8184, 10272, 11.3, 13939, 14176, .05}, {0.7, 3756, 4857, 5.11, 9826, 10115, .005}, {0.9, 1768, 2324, 2.36, 7090, 7388, .005},
-                            {1.0, 1220, 1612, 1.62, 6006, 6300, .005},   {1.1, 844, 1119, 1.12, 5043, 5332, .005},  {1.3, 407, 542, 0.54, 3348, 3633, .005}};
+  const double rows[][7] = {
+      {0.5, 8184, 10272, 11.3, 13939, 14176, .05}, {0.7, 3756, 4857, 5.11, 9826, 10115, .005},
+      {0.9, 1768, 2324, 2.36, 7090, 7388, .005}, {1.0, 1220, 1612, 1.62, 6006, 6300, .005},
+      {1.1, 844, 1119, 1.12, 5043, 5332, .005}, {1.3, 407, 542, 0.54, 3348, 3633, .005}};
   for (const auto& r : rows) {
     const auto v = at(eos.phase, r[0]);
     const jump j = across_energy(eos, r[0], branch::liquid{}.begin(v));
@@ -253,8 +255,10 @@ TEST(Regions, PaperVariantJumpsAtTheLiquidus) { // the tables of docs/eos.md wer
 
 TEST(Regions, JumpsAtVj) { // paper and mixed alike
   const auto check = [](const auto& eos) {
-    const double rows[][8] = {{0.3, 323, 649, -9.57, -10.83, 2790, 2388}, {1, 1015, 2165, -5.56, -9.89, 3838, 2545},  {2, 2345, 4329, -1.58, -8.56, 4664, 2755},
-                              {3, 3979, 6494, 0.43, -7.22, 5434, 2950},   {10, 13431, 21645, 9.78, 2.13, 6108, 4059}};
+    const double rows[][8] = {
+        {0.3, 323, 649, -9.57, -10.83, 2790, 2388}, {1, 1015, 2165, -5.56, -9.89, 3838, 2545},
+        {2, 2345, 4329, -1.58, -8.56, 4664, 2755}, {3, 3979, 6494, 0.43, -7.22, 5434, 2950},
+        {10, 13431, 21645, 9.78, 2.13, 6108, 4059}};
     const double xj = 1.3471, rho = eos.reference_density() / xj;
     for (const auto& r : rows) {
       const auto in = eos.evaluate(rho * (1 + 1e-12), eos.cold.evaluate(xj).energy + r[0] * 1e6);
@@ -302,7 +306,8 @@ TEST(Regions, HelmComesFromOneFreeEnergy) { // (de/dV)_T = T (dp/dT)_V - p, bran
     const auto p = [&](double tt) { return b.evaluate(v, b.energy(v, tt)).thermal_pressure; };
     const double e_v = (8 * (e(x + h) - e(x - h)) - (e(x + 2 * h) - e(x - 2 * h))) / (12 * h) * rho0, dt = 1e-4 * t;
     const double p_t = (8 * (p(t + dt) - p(t - dt)) - (p(t + 2 * dt) - p(t - 2 * dt))) / (12 * dt);
-    expect_close(e_v * volume, (t * p_t - p(t)) * volume, 1e-9, std::abs(p(t)) * volume, "x = " + std::to_string(x) + " T = " + std::to_string(t));
+    expect_close(e_v * volume, (t * p_t - p(t)) * volume, 1e-9, std::abs(p(t)) * volume,
+        "x = " + std::to_string(x) + " T = " + std::to_string(t));
   };
   for (const double x : {0.45, 0.7, 0.95, 1.2, 2.0, 4.0}) {
     const double t_m = at(law, x).melting;
@@ -327,7 +332,8 @@ TEST(Regions, NeverNaN) {
       EXPECT_TRUE(std::isfinite(v)) << "x = " << x << " e_k = " << e;
   };
   for (const double x : {1e-3, 0.1, 0.3, 1.0, 1.34, 1.3471, 10., 1e3, 1e6})
-    for (const double e : {-1e10, -1e7, -1., 0., 1., 1e5, 1e6, 3e6, 1e8, 1e10}) finite(paper{}, x, e), finite(mixed{}, x, e), finite(helm{}, x, e);
+    for (const double e : {-1e10, -1e7, -1., 0., 1., 1e5, 1e6, 3e6, 1e8, 1e10})
+      finite(paper{}, x, e), finite(mixed{}, x, e), finite(helm{}, x, e);
 }
 
 // ---- lanes -----------------------------------------------------------------------------------------------------------------------

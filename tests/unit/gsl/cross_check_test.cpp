@@ -24,7 +24,8 @@ TEST(GslRoot, FindsARootAndThrowsWithoutABracket) {
 }
 
 TEST(GslOde, IntegratesACircle) {
-  const auto y = gsl::integrate<2>([](double, const std::array<double, 2>& v) { return std::array<double, 2>{-v[1], v[0]}; }, {1, 0}, 0, 2.5, 1e-12, 1e-12);
+  const auto y = gsl::integrate<2>([](double, const std::array<double, 2>& v) { return std::array<double, 2>{-v[1], v[0]}; }, {1, 0}, 0,
+      2.5, 1e-12, 1e-12);
   EXPECT_NEAR(y[0], std::cos(2.5), 1e-10);
   EXPECT_NEAR(y[1], std::sin(2.5), 1e-10);
 }
