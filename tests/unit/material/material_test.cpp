@@ -320,7 +320,8 @@ TEST(StepCause, NotANumberIsNotOverwrittenByALaterParticle) {
   using columns = particles::columns<double, space::planar_1d, decltype(al)::particle_fields>;
   columns p;
   const int n = 40;
-  for (std::uint32_t i = 0; i < n; ++i) p.get<field::mass>()[p.append(i)] = 1e-6;
+  for (std::uint32_t i = 0; i < n; ++i) p.append(i);
+  for (std::size_t i = 0; i < n; ++i) p.get<field::mass>()[i] = 1e-6;
   al.initialise(p, 0, n, 1000, 0);
   p.get<field::velocity>()[2] = std::nan("");
   double l[1][chunk_size] = {};
