@@ -5,8 +5,8 @@
 // `pack<T, W>` it treats W particles at once in one SIMD register. A branch is written as `select(condition, yes, no)`, which
 // is a plain conditional for a scalar and a blend for a pack; a fast path for W equal answers asks `all(m)` or `any(m)`.
 //
-// The pack sits on the vector extensions of g++ and clang (no intrinsics but for the square root, which the compilers do not
-// offer there). W is 2, 4, 8 or 16; `native_pack<T>` is the widest register of the target.
+// The pack sits on the vector extensions of g++ and clang (intrinsics only for the square root, which the compilers do not
+// offer there, and for the mask registers of AVX-512). W is 2, 4, 8 or 16; `native_pack<T>` is the widest register of the target.
 #pragma once
 
 #include <cmath>
@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
+#include <utility>
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -33,7 +34,8 @@ template <> struct simd_register<float, 8> { using value __attribute__((vector_s
 template <> struct simd_register<float, 16> { using value __attribute__((vector_size(64))) = float; using bits __attribute__((vector_size(64))) = std::int32_t; };
 } // namespace detail
 
-/// W answers to a comparison of packs: every bit of an element is set where the answer is yes.
+/// W answers to a comparison of packs. Where the target has mask registers (AVX-512) a full-width mask is one bit per element; elsewhere
+/// every bit of an element is set where the answer is yes.
 template <class T, int W> struct lane_mask {
   using bits_type = typename detail::simd_register<T, W>::bits;
   bits_type bits;
@@ -43,6 +45,41 @@ template <class T, int W> struct lane_mask {
   friend BOLIDE_INLINE lane_mask operator||(lane_mask a, lane_mask b) { return {a.bits | b.bits}; }
   friend BOLIDE_INLINE lane_mask operator!(lane_mask a) { return {~a.bits}; }
 };
+
+#if defined(__AVX512F__)
+namespace detail {
+/// The mask register of a 512-bit pack.
+template <class T, int W, class Bits> struct bit_mask {
+  Bits bits;
+  bool operator[](int lane) const { return ((bits >> lane) & 1) != 0; }
+  friend BOLIDE_INLINE lane_mask<T, W> operator&&(lane_mask<T, W> a, lane_mask<T, W> b) { return {{static_cast<Bits>(a.bits & b.bits)}}; }
+  friend BOLIDE_INLINE lane_mask<T, W> operator||(lane_mask<T, W> a, lane_mask<T, W> b) { return {{static_cast<Bits>(a.bits | b.bits)}}; }
+  friend BOLIDE_INLINE lane_mask<T, W> operator!(lane_mask<T, W> a) { return {{static_cast<Bits>(~a.bits)}}; }
+};
+} // namespace detail
+template <> struct lane_mask<double, 8> : detail::bit_mask<double, 8, std::uint8_t> {};
+template <> struct lane_mask<float, 16> : detail::bit_mask<float, 16, std::uint16_t> {};
+
+namespace detail {
+template <int Predicate> BOLIDE_INLINE lane_mask<double, 8> compare(simd_register<double, 8>::value a, simd_register<double, 8>::value b) {
+  return {{static_cast<std::uint8_t>(_mm512_cmp_pd_mask((__m512d)a, (__m512d)b, Predicate))}};
+}
+template <int Predicate> BOLIDE_INLINE lane_mask<float, 16> compare(simd_register<float, 16>::value a, simd_register<float, 16>::value b) {
+  return {{static_cast<std::uint16_t>(_mm512_cmp_ps_mask((__m512)a, (__m512)b, Predicate))}};
+}
+BOLIDE_INLINE simd_register<double, 8>::value blend(lane_mask<double, 8> m, simd_register<double, 8>::value yes, simd_register<double, 8>::value no) {
+  return (simd_register<double, 8>::value)_mm512_mask_blend_pd(m.bits, (__m512d)no, (__m512d)yes);
+}
+BOLIDE_INLINE simd_register<float, 16>::value blend(lane_mask<float, 16> m, simd_register<float, 16>::value yes, simd_register<float, 16>::value no) {
+  return (simd_register<float, 16>::value)_mm512_mask_blend_ps(m.bits, (__m512)no, (__m512)yes);
+}
+} // namespace detail
+#define BOLIDE_COMPARE(a, b, op, predicate)                                                                                                          \
+  if constexpr (sizeof((a).v) == 64) return detail::compare<predicate>((a).v, (b).v);                                                                \
+  else return {(a).v op (b).v}
+#else
+#define BOLIDE_COMPARE(a, b, op, predicate) return {(a).v op (b).v}
+#endif
 
 /// W numbers that are treated as one.
 template <class T, int W> struct pack {
@@ -58,6 +95,10 @@ template <class T, int W> struct pack {
     requires std::is_arithmetic_v<S>
   BOLIDE_INLINE pack(S x) : v(static_cast<T>(x) - value_type{}) {}
 
+  /// {f(0), f(1), ...}, built in the register: element-wise stores to memory followed by one wide load would stall.
+  template <class F> BOLIDE_INLINE static pack make(F&& f) {
+    return [&]<int... I>(std::integer_sequence<int, I...>) { return pack(value_type{static_cast<T>(f(I))...}); }(std::make_integer_sequence<int, W>{});
+  }
   BOLIDE_INLINE static pack load(const T* from) {
     pack r;
     std::memcpy(&r.v, from, sizeof r.v);
@@ -76,13 +117,15 @@ template <class T, int W> struct pack {
   BOLIDE_INLINE pack& operator-=(pack b) { v -= b.v; return *this; }
   BOLIDE_INLINE pack& operator*=(pack b) { v *= b.v; return *this; }
   BOLIDE_INLINE pack& operator/=(pack b) { v /= b.v; return *this; }
-  friend BOLIDE_INLINE mask operator<(pack a, pack b) { return {a.v < b.v}; }
-  friend BOLIDE_INLINE mask operator>(pack a, pack b) { return {a.v > b.v}; }
-  friend BOLIDE_INLINE mask operator<=(pack a, pack b) { return {a.v <= b.v}; }
-  friend BOLIDE_INLINE mask operator>=(pack a, pack b) { return {a.v >= b.v}; }
-  friend BOLIDE_INLINE mask operator==(pack a, pack b) { return {a.v == b.v}; }
-  friend BOLIDE_INLINE mask operator!=(pack a, pack b) { return {a.v != b.v}; }
+  friend BOLIDE_INLINE mask operator<(pack a, pack b) { BOLIDE_COMPARE(a, b, <, _CMP_LT_OQ); }
+  friend BOLIDE_INLINE mask operator>(pack a, pack b) { BOLIDE_COMPARE(a, b, >, _CMP_GT_OQ); }
+  friend BOLIDE_INLINE mask operator<=(pack a, pack b) { BOLIDE_COMPARE(a, b, <=, _CMP_LE_OQ); }
+  friend BOLIDE_INLINE mask operator>=(pack a, pack b) { BOLIDE_COMPARE(a, b, >=, _CMP_GE_OQ); }
+  friend BOLIDE_INLINE mask operator==(pack a, pack b) { BOLIDE_COMPARE(a, b, ==, _CMP_EQ_OQ); }
+  friend BOLIDE_INLINE mask operator!=(pack a, pack b) { BOLIDE_COMPARE(a, b, !=, _CMP_NEQ_UQ); }
 };
+
+#undef BOLIDE_COMPARE
 
 namespace detail {
 template <class V> struct lane_traits { using scalar = V; using mask = bool; static constexpr int width = 1; };
@@ -114,15 +157,22 @@ template <class T> using native_pack = pack<T, native_width<T>>;
 template <std::floating_point T> BOLIDE_INLINE T select(bool m, std::type_identity_t<T> yes, T no) { return m ? yes : no; }
 template <std::floating_point T> BOLIDE_INLINE T select(bool m, T yes, int no) { return m ? yes : T(no); }
 template <class T, int W> BOLIDE_INLINE pack<T, W> select(lane_mask<T, W> m, std::type_identity_t<pack<T, W>> yes, std::type_identity_t<pack<T, W>> no) {
-  return m.bits ? yes.v : no.v;
+#if defined(__AVX512F__)
+  if constexpr (sizeof(yes.v) == 64) return detail::blend(m, yes.v, no.v);
+  else
+#endif
+    return m.bits ? yes.v : no.v;
 }
 BOLIDE_INLINE bool any(bool m) { return m; }
 BOLIDE_INLINE bool all(bool m) { return m; }
 template <class T, int W> BOLIDE_INLINE bool any(lane_mask<T, W> m) {
-  std::uint64_t word[sizeof(m.bits) / 8], sum = 0;
-  std::memcpy(word, &m.bits, sizeof m.bits);
-  for (auto w : word) sum |= w;
-  return sum != 0;
+  if constexpr (std::is_integral_v<decltype(m.bits)>) return m.bits != 0;
+  else {
+    std::uint64_t word[sizeof(m.bits) / 8], sum = 0;
+    std::memcpy(word, &m.bits, sizeof m.bits);
+    for (auto w : word) sum |= w;
+    return sum != 0;
+  }
 }
 template <class T, int W> BOLIDE_INLINE bool all(lane_mask<T, W> m) { return !any(!m); }
 BOLIDE_INLINE int count(bool m) { return m ? 1 : 0; }
@@ -134,7 +184,10 @@ template <class T, int W> BOLIDE_INLINE int count(lane_mask<T, W> m) {
 /// The first n lanes (all of a scalar's single one).
 template <class V> BOLIDE_INLINE mask_t<V> first_lanes(int n) {
   if constexpr (lane_width<V> == 1) return n > 0;
-  else {
+  else if constexpr (std::is_integral_v<decltype(mask_t<V>::bits)>) {
+    using bits = decltype(mask_t<V>::bits);
+    return {{static_cast<bits>(n >= lane_width<V> ? ~0u : (1u << n) - 1u)}};
+  } else {
     V index;
     for (int i = 0; i < lane_width<V>; ++i) index.set(i, scalar_t<V>(i));
     return index < V(scalar_t<V>(n));
@@ -150,14 +203,16 @@ template <std::floating_point T> BOLIDE_INLINE void store(T x, T* to) { *to = x;
 template <class T, int W> BOLIDE_INLINE void store(pack<T, W> x, T* to) { x.store(to); }
 template <std::floating_point T> BOLIDE_INLINE T lane(T x, int) { return x; }
 template <class T, int W> BOLIDE_INLINE T lane(pack<T, W> x, int i) { return x[i]; }
+/// Stores the first n lanes.
+template <class V> BOLIDE_INLINE void store_first(V x, scalar_t<V>* to, int n) {
+  if (n == lane_width<V>) store(x, to);
+  else
+    for (int i = 0; i < n; ++i) to[i] = lane(x, i);
+}
 /// from[index[i]] for each lane i.
 template <class V, class Index> BOLIDE_INLINE V gather(const scalar_t<V>* from, const Index& index) {
   if constexpr (lane_width<V> == 1) return from[index[0]];
-  else {
-    V r;
-    for (int i = 0; i < lane_width<V>; ++i) r.set(i, from[index[i]]);
-    return r;
-  }
+  else return V::make([&](int i) { return from[index[i]]; });
 }
 /// floor of each lane as integers; |x| < 2^31.
 template <class V> BOLIDE_INLINE void floor_to_int(V x, std::int32_t* to) {

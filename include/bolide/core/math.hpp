@@ -27,8 +27,8 @@ template <std::floating_point T> BOLIDE_INLINE T cbrt(T x) { return std::cbrt(x)
 template <std::floating_point T> BOLIDE_INLINE T floor(T x) { return std::floor(x); }
 
 template <class T, int W> BOLIDE_INLINE pack<T, W> abs(pack<T, W> x) { return select(x < pack<T, W>(0), -x, x); }
-template <class T, int W> BOLIDE_INLINE pack<T, W> min(pack<T, W> a, std::type_identity_t<pack<T, W>> b) { return a.v < b.v ? a.v : b.v; }
-template <class T, int W> BOLIDE_INLINE pack<T, W> max(pack<T, W> a, std::type_identity_t<pack<T, W>> b) { return a.v > b.v ? a.v : b.v; }
+template <class T, int W> BOLIDE_INLINE pack<T, W> min(pack<T, W> a, std::type_identity_t<pack<T, W>> b) { return select(a < b, a, b); }
+template <class T, int W> BOLIDE_INLINE pack<T, W> max(pack<T, W> a, std::type_identity_t<pack<T, W>> b) { return select(a > b, a, b); }
 
 template <class T, int W> BOLIDE_INLINE pack<T, W> sqrt(pack<T, W> x) {
   pack<T, W> r;
@@ -75,6 +75,25 @@ template <> struct float_layout<float> {
 };
 } // namespace detail
 
+namespace detail {
+template <std::size_t N, class V> BOLIDE_INLINE V combine(V x, const std::array<V, N>& c) {
+  if constexpr (N == 1) return c[0];
+  else {
+    std::array<V, (N + 1) / 2> pair;
+    for (std::size_t i = 0; i + 1 < N; i += 2) pair[i / 2] = c[i] + c[i + 1] * x;
+    if constexpr (N % 2 == 1) pair[N / 2] = c[N - 1];
+    return combine<(N + 1) / 2>(x * x, pair);
+  }
+}
+/// c[0] + c[1] x + ... + c[N-1] x^(N-1) by Estrin's scheme: pairs first, so that the chain of dependent operations is short.
+template <std::size_t N, class V, class T> BOLIDE_INLINE V polynomial(V x, const std::array<T, N>& c) {
+  std::array<V, (N + 1) / 2> pair;
+  for (std::size_t i = 0; i + 1 < N; i += 2) pair[i / 2] = V(c[i]) + V(c[i + 1]) * x;
+  if constexpr (N % 2 == 1) pair[N / 2] = V(c[N - 1]);
+  return combine<(N + 1) / 2>(x * x, pair);
+}
+} // namespace detail
+
 template <class T, int W> BOLIDE_INLINE pack<T, W> log(pack<T, W> x) {
   using layout = detail::float_layout<T>;
   using bits = typename detail::simd_register<T, W>::bits;
@@ -83,8 +102,12 @@ template <class T, int W> BOLIDE_INLINE pack<T, W> log(pack<T, W> x) {
   const pack<T, W> m((typename pack<T, W>::value_type)((bits)x.v - (k << layout::mantissa_bits)));
   const pack<T, W> kf(__builtin_convertvector(k, typename pack<T, W>::value_type));
   const pack<T, W> s = (m - T(1)) / (m + T(1)), z = s * s;
-  pack<T, W> sum(T(1) / T(2 * layout::log_terms + 1));
-  for (int n = layout::log_terms - 1; n >= 1; --n) sum = sum * z + T(1) / T(2 * n + 1);
+  constexpr auto odd_inverse = [] { // 1/3, 1/5, ...
+    std::array<T, layout::log_terms> c{};
+    for (int n = 1; n <= layout::log_terms; ++n) c[static_cast<std::size_t>(n - 1)] = T(1) / T(2 * n + 1);
+    return c;
+  }();
+  const pack<T, W> sum = detail::polynomial(z, odd_inverse);
   return kf * layout::ln2_high + (T(2) * s + (T(2) * s * z * sum + kf * layout::ln2_low));
 }
 
@@ -105,8 +128,7 @@ template <class T, int W> BOLIDE_INLINE pack<T, W> exp(pack<T, W> x) {
   const bits k = (bits)shifted.v - (bits)pack<T, W>(layout::round_magic).v;
   const pack<T, W> kf = shifted - layout::round_magic;
   const pack<T, W> r = (x - kf * layout::ln2_high) - kf * layout::ln2_low;
-  pack<T, W> sum(inverse_factorial[layout::exp_terms]);
-  for (int n = layout::exp_terms - 1; n >= 0; --n) sum = sum * r + inverse_factorial[static_cast<std::size_t>(n)];
+  const pack<T, W> sum = detail::polynomial(r, inverse_factorial);
   return pack<T, W>((typename pack<T, W>::value_type)((bits)sum.v + (k << layout::mantissa_bits)));
 }
 

@@ -64,13 +64,13 @@ public:
     for (const auto& [image, real] : pairs_) {
       Values& a = sums[static_cast<std::size_t>(image)];
       Values& b = sums[static_cast<std::size_t>(real)];
-      if (normal >= 0) a[normal] = -a[normal];
+      if (normal >= 0) a.set(normal, -a[normal]);
       b += a;
       a = b;
-      if (normal >= 0) a[normal] = -a[normal];
+      if (normal >= 0) a.set(normal, -a[normal]);
     }
     if (normal >= 0)
-      for (const auto node : plane_) sums[static_cast<std::size_t>(node)][normal] = 0;
+      for (const auto node : plane_) sums[static_cast<std::size_t>(node)].set(normal, 0);
   }
   /// Is this node beyond the plane? Such a node is a copy and must not be counted in sums over nodes.
   bool is_image(std::size_t node) const { return image_[node] != 0; }

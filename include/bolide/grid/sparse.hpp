@@ -8,8 +8,8 @@
 // back by any number of threads in any order with the same bits.
 #pragma once
 
-#include "bolide/core/algebra.hpp"
 #include "bolide/core/contract.hpp"
+#include "bolide/core/lane.hpp"
 
 #include <algorithm>
 #include <array>
@@ -23,6 +23,10 @@ struct sparse {
   double spacing;
   explicit sparse(double h) : spacing(h) { require(h > 0 && h < 1e9, "grid spacing", h, "positive and finite", "m"); }
 };
+
+/// The n values of one grid node, kept together in a register of its own so that a transfer is one multiply-add per node; padded to at
+/// least 16 bytes.
+template <class T, int N> using node_values = pack<T, std::max(N <= 2 ? 2 : N <= 4 ? 4 : 8, 16 / int(sizeof(T)))>;
 
 template <int Dim> using cell_index = std::array<std::int32_t, static_cast<std::size_t>(Dim)>;
 

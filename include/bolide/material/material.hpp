@@ -24,6 +24,7 @@
 #include "bolide/viscosity/bulk.hpp"
 
 #include <cstddef>
+#include <limits>
 
 namespace bolide {
 
@@ -47,12 +48,6 @@ template <class V> BOLIDE_INLINE double sum(V x, int n) {
   double s = 0;
   for (int i = 0; i < n; ++i) s += static_cast<double>(lane(x, i));
   return s;
-}
-/// Stores the first n lanes.
-template <class V> BOLIDE_INLINE void store_first(V x, scalar_t<V>* to, int n) {
-  if (n == lane_width<V>) store(x, to);
-  else
-    for (int i = 0; i < n; ++i) to[i] = lane(x, i);
 }
 } // namespace detail
 
@@ -167,6 +162,8 @@ private:
     const V mass = load<V>(p.template get<field::mass>() + at), e = load<V>(p.template get<field::energy>() + at);
     const V p_old = load<V>(p.template get<field::pressure>() + at);
 
+    if (at_rest<Space, V>(p, at, n, l, mass, step, report)) return;
+
     // kinematics
     const V divergence = Space::divergence(l);
     const V ratio = step.gradient_at_end ? one / Space::jacobian(l, -dt) : Space::jacobian(l, dt);
@@ -176,7 +173,7 @@ private:
       report.floors.add(floor_kind::expansion, count(over));
       volume = select(over, largest, volume);
     }
-    const V rho = mass / volume;
+    const V rho = mass / volume, specific_volume = volume / mass;
 
     // elastic trial of the deviator
     auto s = load_deviator<Space, V>(p, at);
@@ -184,7 +181,7 @@ private:
     V shear_power = zero, shear_energy = zero;
     if constexpr (Strength::carries_shear) {
       shear_power = Space::contract(s, rate);
-      shear_energy = Space::contract(s, s) / (rho * T(4 * strength.shear_modulus));
+      shear_energy = Space::contract(s, s) * specific_volume * T(1 / (4 * strength.shear_modulus));
       const auto spin = Space::jaumann_rate(s, l);
       for (std::size_t c = 0; c < Space::deviator_size; ++c) s[c] = s[c] + dt * (spin[c] + T(2 * strength.shear_modulus) * rate[c]);
     }
@@ -200,15 +197,17 @@ private:
       q = viscosity.pressure(rho, load<V>(p.template get<field::sound_speed>() + at), divergence, step.cell);
       if constexpr (Failure::may_fail) q = select(failed && volume > own_volume, zero, q);
     }
-    const V predicted = e - shear_energy + T(0.5) * dt * (shear_power - (p_old + q) * divergence) / rho;
+    const V predicted = e - shear_energy + T(0.5) * dt * (shear_power - (p_old + q) * divergence) * specific_volume;
 
     // equation of state
-    const V own_rho = mass / own_volume;
+    V own_rho = rho;
+    if constexpr (Failure::may_fail)
+      if (any(failed && active)) own_rho = mass / own_volume;
     const thermal_point<V> state = detail::evaluate_all(eos, own_rho, predicted);
     V pressure = state.pressure;
     const V c2_floor(T(sound_speed_floor * sound_speed_floor * c2_reference_));
     if (const auto low = !(state.sound_speed_squared >= c2_floor) && active; any(low)) report.floors.add(floor_kind::sound_speed, count(low));
-    const V c2 = max(state.sound_speed_squared, c2_floor);
+    const V c2 = max(c2_floor, state.sound_speed_squared); // in this order NaN stays NaN and is seen
     if constexpr (thermal)
       if (const auto below = state.temperature < zero && active; any(below)) report.floors.add(floor_kind::cold_energy, count(below));
     if constexpr (requires { eos.outside_validity(own_rho, predicted); })
@@ -230,56 +229,81 @@ private:
         if (const auto cut = failed && open && active && limited != step_back; any(cut)) report.floors.add(floor_kind::void_iteration, count(cut));
         const V without_void = select(failed && open, min(volume, own_volume * (one + limited)), volume);
         pressure = select(failed && open, zero, pressure);
-        detail::store_first(without_void, p.template get<field::material_volume>() + at, n);
-        detail::store_first(select(failed, one, zero), p.template get<field::failed>() + at, n);
+        store_first(without_void, p.template get<field::material_volume>() + at, n);
+        store_first(select(failed, one, zero), p.template get<field::failed>() + at, n);
       }
     }
 
-    // radial return
+    // radial return; a square root only where the cheap bound of the yield stress is passed
     V wave2 = select(own_volume < volume, zero, c2); // a void carries no wave
     if constexpr (Strength::carries_shear) {
       const T g = T(strength.shear_modulus);
-      const V equivalent = sqrt(T(1.5) * Space::contract(s, s));
-      const V rate_equivalent = sqrt(T(2.0 / 3) * Space::contract(rate, rate));
-      V scale = select(failed, zero, one);
-      const auto may_yield = !failed && equivalent > strength.yield_floor(state.temperature, state.melting_temperature);
+      const V equivalent2 = T(1.5) * Space::contract(s, s);
+      const auto may_yield = !failed && equivalent2 > square(strength.yield_floor(state.temperature, state.melting_temperature));
       if (any(may_yield && active)) {
+        const V equivalent = sqrt(equivalent2), rate_equivalent = sqrt(T(2.0 / 3) * Space::contract(rate, rate));
         const V strain = load<V>(p.template get<field::plastic_strain>() + at);
         const V yield = strength.yield_stress(strain, rate_equivalent, state.temperature, state.melting_temperature);
         const auto yields = may_yield && equivalent > yield;
-        const V increment = select(yields, (equivalent - yield) / (T(3) * g), zero);
-        scale = select(yields, yield / equivalent, scale);
-        detail::store_first(strain + increment, p.template get<field::plastic_strain>() + at, n);
+        const V increment = select(yields, (equivalent - yield) * T(1 / (3 * strength.shear_modulus)), zero);
+        const V scale = select(yields, yield / equivalent, one);
+        for (std::size_t c = 0; c < Space::deviator_size; ++c) s[c] = s[c] * scale;
+        store_first(strain + increment, p.template get<field::plastic_strain>() + at, n);
         report.plastic_work += detail::sum(volume * yield * increment, n);
       }
       for (int c = 0; c < Space::deviator_size; ++c)
-        detail::store_first(select(failed, zero, s[static_cast<std::size_t>(c)] * scale), p.template get<field::deviator>(c) + at, n);
-      wave2 = wave2 + select(failed, zero, V(T(4.0 / 3) * g) / rho);
+        store_first(select(failed, zero, s[static_cast<std::size_t>(c)]), p.template get<field::deviator>(c) + at, n);
+      wave2 = wave2 + select(failed, zero, T(4.0 / 3) * g * specific_volume);
     }
 
-    detail::store_first(volume, p.template get<field::volume>() + at, n);
-    detail::store_first(pressure, p.template get<field::pressure>() + at, n);
+    store_first(volume, p.template get<field::volume>() + at, n);
+    store_first(pressure, p.template get<field::pressure>() + at, n);
+    const V sound_speed = sqrt(c2);
     if constexpr (Viscosity::present) {
-      detail::store_first(q, p.template get<field::viscous_pressure>() + at, n);
-      detail::store_first(sqrt(c2), p.template get<field::sound_speed>() + at, n);
+      store_first(q, p.template get<field::viscous_pressure>() + at, n);
+      store_first(sound_speed, p.template get<field::sound_speed>() + at, n);
     }
     if constexpr (particle_fields::template contains<field::peak_pressure>)
-      detail::store_first(max(pressure, load<V>(p.template get<field::peak_pressure>() + at)), p.template get<field::peak_pressure>() + at, n);
+      store_first(max(pressure, load<V>(p.template get<field::peak_pressure>() + at)), p.template get<field::peak_pressure>() + at, n);
 
-    limit_step<Space, V>(p, at, n, l, divergence, wave2, step, report);
+    limit_step<Space, V>(p, at, n, l, divergence, wave2, sound_speed, step, report);
+  }
+
+  /// A strain increment below the machine epsilon changes no volume and no pressure: sound material that is not being deformed keeps its
+  /// state as it is (most of a target is so for most of a run), and only asks for its time step.
+  template <class Space, class V, class Columns>
+  BOLIDE_INLINE bool at_rest(Columns& p, std::size_t at, int n, const typename Space::template gradient<V>& l, V mass,
+                             const step_context<scalar_t<V>>& step, update_report& report) const {
+    using T = scalar_t<V>;
+    if constexpr (!Viscosity::present) return false;
+    else {
+      auto active = Space::magnitude(l) * step.dt > V(std::numeric_limits<T>::epsilon() / 2);
+      if constexpr (Failure::may_fail) active = active || load<V>(p.template get<field::failed>() + at) > V(T(0));
+      if (step.dt == T(0) || any(active && first_lanes<V>(n))) return false;
+      const V c = load<V>(p.template get<field::sound_speed>() + at);
+      V wave2 = c * c;
+      if constexpr (Strength::carries_shear) wave2 = wave2 + T(4.0 / 3 * strength.shear_modulus) * load<V>(p.template get<field::volume>() + at) / mass;
+      store_first(V(T(0)), p.template get<field::viscous_pressure>() + at, n);
+      limit_step<Space, V>(p, at, n, l, V(T(0)), wave2, c, step, report);
+      return true;
+    }
   }
 
   /// Finds the particle that asks for the shortest step: courant h / (Q + sqrt(Q^2 + c^2) + |v|), and 0.25 / |L|.
   template <class Space, class V, class Columns>
-  BOLIDE_INLINE void limit_step(const Columns& p, std::size_t at, int n, const typename Space::template gradient<V>& l, V divergence, V wave2,
+  BOLIDE_INLINE void limit_step(const Columns& p, std::size_t at, int n, const typename Space::template gradient<V>& l, V divergence, V wave2, V sound_speed,
                                 const step_context<scalar_t<V>>& step, update_report& report) const {
     using T = scalar_t<V>;
-    const V q_speed = select(wave2 > V(T(0)), viscosity.signal_speed(sqrt(wave2), divergence, step.cell), V(T(0)));
-    const V signal = q_speed + sqrt(q_speed * q_speed + wave2);
+    const V q_speed = select(wave2 > V(T(0)), viscosity.signal_speed(sound_speed, divergence, step.cell), V(T(0)));
     V v2 = V(T(0));
     for (int d = 0; d < Space::dim; ++d) v2 = v2 + square(load<V>(p.template get<field::velocity>(d) + at));
-    const V speed = sqrt(v2);
-    const V travel = (signal + speed) / (step.courant * step.cell), strain = Space::magnitude(l) * T(4);
+    const V strain = Space::magnitude(l) * T(4);
+    // (Q + sqrt(Q^2 + c^2) + |v|)^2 <= 2 (2 (4 Q^2 + c^2) + v^2): most particles are ruled out without a square root
+    const T per_speed = 1 / (step.courant * step.cell), least = static_cast<T>(std::max(report.limit.rate, step.ignore_below)) / per_speed;
+    const auto slow = T(2) * (T(2) * (T(4) * q_speed * q_speed + wave2) + v2) <= V(least * least) && strain <= V(least * per_speed);
+    if (!any(!slow && first_lanes<V>(n))) return;
+    const V signal = q_speed + sqrt(q_speed * q_speed + wave2), speed = sqrt(v2);
+    const V travel = (signal + speed) * per_speed;
     const V wanted = max(travel, strain);
     const T best = static_cast<T>(report.limit.rate);
     if (!any(!(wanted <= V(best)) && first_lanes<V>(n))) return; // NaN counts as too fast
@@ -311,7 +335,7 @@ private:
     if constexpr (Strength::carries_shear) power = power + Space::contract(load_deviator<Space, V>(p, at), Space::deviatoric_rate(l));
     const V gain = dt * power * volume;
     report.work_energy += detail::sum(gain, n);
-    detail::store_first(load<V>(p.template get<field::energy>() + at) + gain / mass, p.template get<field::energy>() + at, n);
+    store_first(load<V>(p.template get<field::energy>() + at) + gain / mass, p.template get<field::energy>() + at, n);
   }
 };
 

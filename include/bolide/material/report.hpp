@@ -52,6 +52,7 @@ template <class T> struct step_context {
   T dt;             // s
   T cell;           // m
   T courant;        // Courant number, divides the rates of sound, viscosity and velocity
+  double ignore_below; // rates (1/s) that cannot limit the next step, because it may not grow so much
   bool gradient_at_end; // is the gradient taken at the end of the step's motion (USF) or at its beginning (MUSL)?
 };
 

@@ -17,9 +17,10 @@ struct linear {
   static constexpr bool smooth = false;   // is the slope continuous?
   static constexpr const char* name = "linear";
 
-  /// f = x - first node, in [0, 1).
+  /// f = x - first node, in [0, 1]: 1 is what rounding makes of a coordinate just below a face (x = -1e-18).
   template <class V> BOLIDE_INLINE static void value(V f, V* n) {
-    n[1] = max(f, V(4 * std::numeric_limits<scalar_t<V>>::epsilon()));
+    constexpr auto least = 4 * std::numeric_limits<scalar_t<V>>::epsilon();
+    n[1] = clip(f, V(least), V(1 - least));
     n[0] = V(1) - n[1];
   }
   template <class V> BOLIDE_INLINE static void slope(V, V* d) {

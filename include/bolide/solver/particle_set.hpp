@@ -36,11 +36,12 @@ template <class T, class Space, class Shape, class Material, class Fields> struc
   std::vector<block_range<dim>> ranges;
   std::array<std::vector<std::int32_t>, map::colours> by_colour; // ranges of each colour
 
-  index cell_of(std::size_t i, double h) const {
+  /// First node of the support of particle i: what the particles are sorted by.
+  index first_node(std::size_t i, double h) const {
     index c;
     for (int d = 0; d < dim; ++d) {
       const double x = static_cast<double>(columns.template get<field::position>(d)[i]) / h;
-      c[static_cast<std::size_t>(d)] = static_cast<std::int32_t>(std::floor(x));
+      c[static_cast<std::size_t>(d)] = static_cast<std::int32_t>(std::floor(x - Shape::offset));
     }
     return c;
   }
@@ -49,27 +50,27 @@ template <class T, class Space, class Shape, class Material, class Fields> struc
   void collect_blocks(double h, std::vector<index>& blocks) const {
     index last{};
     for (std::size_t i = 0; i < columns.size(); ++i) {
-      const auto b = map::block_of(cell_of(i, h));
+      const auto b = map::block_of(first_node(i, h));
       if (i == 0 || b != last) blocks.push_back(b);
       last = b;
     }
   }
 
-  /// Counting sort by block, then by cell within the block; equal cells keep their order.
+  /// Counting sort by block, then by first node within the block; equals keep their order.
   void sort(const map& blocks, double h) {
     const std::size_t n = columns.size();
     std::vector<std::uint32_t> key(n), count(blocks.size() * map::nodes_per_block + 1, 0), order(n);
     index last{};
     std::int32_t last_block = -1;
     for (std::size_t i = 0; i < n; ++i) {
-      const auto cell = cell_of(i, h);
-      const auto b = map::block_of(cell);
+      const auto first = first_node(i, h);
+      const auto b = map::block_of(first);
       if (last_block < 0 || b != last) {
         last_block = blocks.find(b);
         last = b;
       }
       std::int32_t local = 0;
-      for (std::size_t d = 0; d < dim; ++d) local = local * map::side + (cell[d] - b[d] * map::side);
+      for (std::size_t d = 0; d < dim; ++d) local = local * map::side + (first[d] - b[d] * map::side);
       key[i] = static_cast<std::uint32_t>(last_block * map::nodes_per_block + local);
       ++count[key[i] + 1];
     }

@@ -7,6 +7,8 @@
 #pragma once
 
 #include "bolide/core/algebra.hpp"
+#include "bolide/core/field.hpp"
+#include "bolide/core/math.hpp"
 #include "bolide/grid/mirror.hpp"
 #include "bolide/grid/sparse.hpp"
 #include "bolide/solver/ledger.hpp"
@@ -22,9 +24,9 @@ template <class T, class Space, class Shape, class Transfer, class Scheme, class
 public:
   static constexpr int dim = Space::dim;
   using map = grid::block_map<dim>;
-  using sums = node_values<T, padded(dim + 1)>;      // m, P
-  using forces = node_values<T, padded(dim)>;        // f, or the momentum change mapped back
-  using motion = node_values<T, padded(2 * dim)>;    // v, dv
+  using sums = grid::node_values<T, dim + 1>;     // m, P
+  using forces = grid::node_values<T, dim>;       // f, or the momentum change mapped back
+  using motion = grid::node_values<T, 2 * dim>;   // v, dv
   using stencil_type = stencil<T, Space, Shape>;
 
   std::tuple<Sets...> sets;
@@ -36,6 +38,7 @@ public:
   std::vector<grid::mirror_nodes<dim>> mirrors;
   ledger energy;
   step_limit limit;   // of the next step
+  double ignore_below = 0; // 1/s: a particle that asks for less cannot limit the next step, whose growth is bounded
   bool sorted = false; // does every particle touch only the blocks around its own?
 
   phases(double spacing, T courant_number, Transfer t, std::tuple<Sets...> s) : sets(std::move(s)), h(spacing), courant(courant_number), transfer(t) {}
@@ -43,40 +46,42 @@ public:
   // ---- the phases -------------------------------------------------------------------------------------------------------------
   /// m_I = sum N m, P_I = sum N m v; with a stress that was updated last also f_I = -sum V sigma grad N.
   void map_to_nodes() {
-    sums_.assign(node_count(), sums::Zero());
-    if constexpr (!Scheme::stress_first) forces_.assign(node_count(), forces::Zero());
+    sums_.assign(node_count(), sums(T(0)));
+    if constexpr (!Scheme::stress_first) forces_.assign(node_count(), forces(T(0)));
     sweep([this](auto& set, auto& range, update_report&) {
       scatter(sums_, range, [&](auto& win) {
-        chunks(set, range, [&](std::size_t begin, int n, const stencil_type& st) {
-          for (int k = 0; k < n; ++k) scatter_momentum(set.columns, begin, k, st, win);
+        chunks<wants::values>(set, range, [&](std::size_t begin, int n, const stencil_type& st) {
+          scatter_momentum(set.columns, begin, n, st, win);
         });
       });
       if constexpr (!Scheme::stress_first)
         scatter(forces_, range, [&](auto& win) {
-          chunks(set, range, [&](std::size_t begin, int n, const stencil_type& st) { scatter_force(set, begin, n, st, win); });
+          chunks<wants::gradients>(set, range, [&](std::size_t begin, int n, const stencil_type& st) { scatter_force(set, begin, n, st, win); });
         });
     });
     for (const auto& m : mirrors) m.complete(sums_, 1);
     motion_.resize(node_count());
     each_node([this](std::size_t i) {
-      const auto& s = sums_[i];
-      motion v = motion::Zero();
-      if (s[0] > T(0))
-        for (int d = 0; d < dim; ++d) v[d] = s[1 + d] / s[0];
+      const sums s = sums_[i];
+      motion v(T(0));
+      if (s[0] > T(0)) {
+        const T inverse_mass = T(1) / s[0];
+        v = motion::make([&](int c) { return c < dim ? s[c < dim ? 1 + c : 0] * inverse_mass : T(0); });
+      }
       motion_[i] = v;
     });
   }
 
   /// Stress from the velocities that the particles brought to the nodes, then its forces.
   void update_stress_first() {
-    forces_.assign(node_count(), forces::Zero());
+    forces_.assign(node_count(), forces(T(0)));
     start_report();
     sweep([this](auto& set, auto& range, update_report& report) {
       gather(motion_, range, [&](auto& nodes) {
         scatter(forces_, range, [&](auto& win) {
-          chunks(set, range, [&](std::size_t begin, int n, const stencil_type& st) {
+          chunks<wants::gradients>(set, range, [&](std::size_t begin, int n, const stencil_type& st) {
             T l[Space::gradient_size][chunk_size];
-            velocity_gradient(n, st, nodes, T(0), set.columns, begin, l);
+            velocity_gradient(n, st, nodes, T(0), l);
             set.material.template update<Space>(set.columns, begin, n, l, context(true), report);
             scatter_force(set, begin, n, st, win);
           });
@@ -90,8 +95,9 @@ public:
   void accelerate_nodes() {
     for (const auto& m : mirrors) m.complete(forces_, 0);
     each_node([this](std::size_t i) {
-      if (sums_[i][0] > T(0))
-        for (int d = 0; d < dim; ++d) motion_[i][dim + d] = forces_[i][d] * dt / sums_[i][0];
+      if (!(sums_[i][0] > T(0))) return;
+      const T factor = dt / sums_[i][0];
+      for (int d = 0; d < dim; ++d) motion_[i].set(dim + d, forces_[i][d] * factor);
     });
     if constexpr (Transfer::affine) nodal_work();
   }
@@ -99,20 +105,20 @@ public:
   /// New particle velocities; what the scheme or the transfer needs back on the nodes.
   void map_to_particles() {
     constexpr bool maps_back = !Transfer::affine || !Scheme::stress_first;
-    if constexpr (maps_back) back_.assign(node_count(), forces::Zero());
+    if constexpr (maps_back) back_.assign(node_count(), forces(T(0)));
     sweep([this](auto& set, auto& range, update_report& report) {
       gather(motion_, range, [&](auto& nodes) {
         const auto run = [&](auto& win) {
-          chunks(set, range, [&](std::size_t begin, int n, const stencil_type& st) {
+          chunks<Transfer::affine ? wants::both : wants::values>(set, range, [&](std::size_t begin, int n, const stencil_type& st) {
             if constexpr (Transfer::affine) {
               T l[Space::gradient_size][chunk_size];
-              velocity_gradient(n, st, nodes, T(0.5), set.columns, begin, l);
+              velocity_gradient(n, st, nodes, T(0.5), l);
               set.material.template work<Space>(set.columns, begin, n, l, dt, report);
               for (int k = 0; k < n; ++k) take_affine(set.columns, begin, k, st, nodes, report);
               if constexpr (maps_back)
-                for (int k = 0; k < n; ++k) scatter_velocity_back(set.columns, begin, k, st, win);
+                scatter_velocity_back(set.columns, begin, n, st, win);
             } else {
-              for (int k = 0; k < n; ++k) add_change(set.columns, begin, k, st, nodes, win, report);
+              add_change(set.columns, begin, n, st, nodes, win, report);
             }
           });
         };
@@ -126,7 +132,7 @@ public:
       each_node([this](std::size_t i) {
         if (!(sums_[i][0] > T(0))) return;
         for (int d = 0; d < dim; ++d) // FLIP: dv~ = sum N m dv_p / m_I; APIC: v'_I - v_I
-          motion_[i][dim + d] = back_[i][d] / sums_[i][0] - (Transfer::affine ? motion_[i][d] : T(0));
+          motion_[i].set(dim + d, back_[i][d] / sums_[i][0] - (Transfer::affine ? motion_[i][d] : T(0)));
       });
     }
     if constexpr (!Transfer::affine) nodal_work();
@@ -138,14 +144,14 @@ public:
     sweep([this](auto& set, auto& range, update_report& report) {
       if constexpr (!Transfer::affine || !Scheme::stress_first)
         gather(motion_, range, [&](auto& nodes) {
-          chunks(set, range, [&](std::size_t begin, int n, const stencil_type& st) {
+          chunks<wants::gradients>(set, range, [&](std::size_t begin, int n, const stencil_type& st) {
             T l[Space::gradient_size][chunk_size];
             if constexpr (!Transfer::affine) {
-              velocity_gradient(n, st, nodes, T(0.5), set.columns, begin, l);
+              velocity_gradient(n, st, nodes, T(0.5), l);
               set.material.template work<Space>(set.columns, begin, n, l, dt, report);
             }
             if constexpr (!Scheme::stress_first) {
-              velocity_gradient(n, st, nodes, T(1), set.columns, begin, l);
+              velocity_gradient(n, st, nodes, T(1), l);
               set.material.template update<Space>(set.columns, begin, n, l, context(false), report);
             }
           });
@@ -194,7 +200,7 @@ private:
   std::vector<motion> motion_;
   std::vector<update_report> reports_; // one per range
 
-  step_context<T> context(bool gradient_at_end) const { return {dt, static_cast<T>(h), courant, gradient_at_end}; }
+  step_context<T> context(bool gradient_at_end) const { return {dt, static_cast<T>(h), courant, ignore_below, gradient_at_end}; }
 
   /// f(set, range, report) for every block range of every body, colour by colour.
   template <class F> void sweep(F&& f) {
@@ -218,7 +224,8 @@ private:
   update_report total_;
   void start_report() { total_.limit = {}; }
   void finish_report() {
-    if (total_.limit.rate > 0 || !(total_.limit.rate == total_.limit.rate)) limit = total_.limit;
+    limit = total_.limit;
+    limit.rate = std::max(limit.rate, ignore_below);
     energy.work_mismatch += total_.work_energy;
     energy.plastic_work += total_.plastic_work;
     energy.failure_release += total_.failure_release;
@@ -275,7 +282,7 @@ private:
   template <class Values, class F> static BOLIDE_INLINE void scatter(std::vector<Values>& column, const block_range<dim>& range, F&& f) {
     grid::window<dim, Values> win;
     grid::for_each_run<dim>(range.near, range.touched, [&](std::int32_t, int at, int count) {
-      for (int i = 0; i < count; ++i) win.node[static_cast<std::size_t>(at + i)] = Values::Zero();
+      for (int i = 0; i < count; ++i) win.node[static_cast<std::size_t>(at + i)] = Values(T(0));
     });
     f(win);
     grid::for_each_run<dim>(range.near, range.touched, [&](std::int32_t node, int at, int count) {
@@ -283,50 +290,74 @@ private:
     });
   }
   /// f(begin, n, stencil) for the particles of a range, chunk_size at a time.
-  template <class Set, class F> BOLIDE_INLINE void chunks(Set& set, const block_range<dim>& range, F&& f) const {
+  template <wants Wanted, class Set, class F> BOLIDE_INLINE void chunks(Set& set, const block_range<dim>& range, F&& f) const {
     stencil_type st;
     for (std::size_t begin = range.begin; begin < range.end; begin += chunk_size) {
       const int n = static_cast<int>(std::min<std::size_t>(chunk_size, range.end - begin));
-      st.make(set.columns, begin, n, range.origin, range.touched, h, set.half_size);
+      st.template make<Wanted>(set.columns, begin, n, range.origin, range.touched, h, set.half_size);
       f(begin, n, st);
     }
   }
 
-  // ---- what one particle does --------------------------------------------------------------------------------------------------
-  template <class Columns, class Window> BOLIDE_INLINE void scatter_momentum(const Columns& p, std::size_t begin, int k, const stencil_type& st, Window& win) const {
-    const std::size_t i = begin + static_cast<std::size_t>(k);
-    const T m = p.template get<field::mass>()[i];
-    sums q = sums::Zero();
-    q[0] = m;
-    for (int d = 0; d < dim; ++d) q[1 + d] = m * p.template get<field::velocity>(d)[i];
-    if constexpr (Transfer::affine) {
-      std::array<sums, dim> slope; // m C_.d h: change of the momentum per cell along axis d
-      for (int d = 0; d < dim; ++d) {
-        slope[static_cast<std::size_t>(d)] = sums::Zero();
-        for (int c = 0; c < dim; ++c) slope[static_cast<std::size_t>(d)][1 + c] = m * static_cast<T>(h) * p.template get<field::affine_velocity>(c * dim + d)[i];
-      }
-      st.for_each_node(k, [&](int o, auto a) {
-        sums at = q;
-        for (int d = 0; d < dim; ++d) at += st.distance(k, a, d) * slope[static_cast<std::size_t>(d)];
-        win.node[static_cast<std::size_t>(o)] += st.value(k, a) * at;
-      });
-    } else {
-      st.for_each_node(k, [&](int o, auto a) { win.node[static_cast<std::size_t>(o)] += st.value(k, a) * q; });
+  /// The columns of a field's components from a particle on: held in registers by the loops below.
+  template <class Tag, std::size_t N, class Columns> static BOLIDE_INLINE auto columns_of(Columns& p, std::size_t begin) {
+    std::array<decltype(p.template get<Tag>()), N> column;
+    for (std::size_t c = 0; c < N; ++c) column[c] = p.template get<Tag>(static_cast<int>(c)) + begin;
+    return column;
+  }
+  /// add(k, sum) adds what particle k gives to the nodes of its support. Particles are sorted by their first node, so that those of the same
+  /// support follow each other: they are summed in registers and the window is touched once for all of them.
+  template <class Values, class F> static BOLIDE_INLINE void accumulate(Values* nodes, const stencil_type& st, int n, F&& add) {
+    std::array<Values, stencil_type::nodes> sum;
+    for (int k = 0; k < n;) {
+      const std::int32_t base = st.base[k];
+      for (auto& x : sum) x = Values(T(0));
+      do add(k, sum);
+      while (++k < n && st.base[k] == base);
+      for (int a = 0; a < stencil_type::nodes; ++a) nodes[base + stencil_type::offset(a)] += sum[static_cast<std::size_t>(a)];
     }
   }
 
+  // ---- what one particle does --------------------------------------------------------------------------------------------------
+  template <class Columns, class Window> BOLIDE_INLINE void scatter_momentum(const Columns& p, std::size_t begin, int n, const stencil_type& st, Window& win) const {
+    const T* const mass = p.template get<field::mass>() + begin;
+    const auto velocity = columns_of<field::velocity, dim>(p, begin);
+    [[maybe_unused]] std::array<const T*, dim * dim> affine{};
+    if constexpr (Transfer::affine) affine = columns_of<field::affine_velocity, dim * dim>(p, begin);
+    sums* const nodes = win.node.data();
+    const T cell = static_cast<T>(h);
+    accumulate(nodes, st, n, [=, &st](int k, auto& sum) {
+      const T m = mass[k];
+      const sums q = sums::make([&](int c) { return c == 0 ? m : c <= dim ? m * velocity[static_cast<std::size_t>(c <= dim && c > 0 ? c - 1 : 0)][k] : T(0); });
+      if constexpr (Transfer::affine) {
+        std::array<sums, dim> slope; // m C_.d h: change of the momentum per cell along axis d
+        for (std::size_t d = 0; d < dim; ++d) {
+          slope[d] = sums::make([&](int c) { return c > 0 && c <= dim ? m * cell * affine[static_cast<std::size_t>(c > 0 && c <= dim ? c - 1 : 0) * dim + d][k] : T(0); });
+        }
+        for (int a = 0; a < stencil_type::nodes; ++a) {
+          sums here = q;
+          for (int d = 0; d < dim; ++d) here += slope[static_cast<std::size_t>(d)] * st.distance(k, a, d);
+          sum[static_cast<std::size_t>(a)] += here * st.value[a][k];
+        }
+      } else {
+        for (int a = 0; a < stencil_type::nodes; ++a) sum[static_cast<std::size_t>(a)] += q * st.value[a][k];
+      }
+    });
+  }
+
   /// Gradient of v + fraction * dv at n particles.
-  template <class Columns, class Window>
-  BOLIDE_INLINE void velocity_gradient(int n, const stencil_type& st, const Window& nodes, T fraction, const Columns&, std::size_t, T (*l)[chunk_size]) const {
+  template <class Window> BOLIDE_INLINE void velocity_gradient(int n, const stencil_type& st, const Window& nodes, T fraction, T (*l)[chunk_size]) const {
+    const motion* const from = nodes.node.data();
     for (int k = 0; k < n; ++k) {
+      const motion* const at = from + st.base[k];
       std::array<motion, dim> g;
-      for (auto& x : g) x.setZero();
-      motion hoop = motion::Zero();
-      st.for_each_node(k, [&](int o, auto a) {
-        const motion& v = nodes.node[static_cast<std::size_t>(o)];
-        for (int d = 0; d < dim; ++d) g[static_cast<std::size_t>(d)] += st.gradient(k, a, d) * v;
-        if constexpr (Space::hoop) hoop += st.hoop_value(k, a) * v;
-      });
+      for (auto& x : g) x = motion(T(0));
+      motion hoop(T(0));
+      for (int a = 0; a < stencil_type::nodes; ++a) {
+        const motion v = at[stencil_type::offset(a)];
+        for (int d = 0; d < dim; ++d) g[static_cast<std::size_t>(d)] += v * st.gradient[d][a][k];
+        if constexpr (Space::hoop) hoop += v * st.hoop[a][k];
+      }
       for (int c = 0; c < dim; ++c)
         for (int d = 0; d < dim; ++d) l[c * dim + d][k] = g[static_cast<std::size_t>(d)][c] + fraction * g[static_cast<std::size_t>(d)][dim + c];
       if constexpr (Space::hoop) l[dim * dim][k] = hoop[0] + fraction * hoop[dim];
@@ -353,42 +384,46 @@ private:
       for (int c = 0; c < dim * dim; ++c) store(minus_volume * sigma[static_cast<std::size_t>(c)], stress[c] + k);
       if constexpr (Space::hoop) store(minus_volume * Space::hoop_stress(pressure, s), stress[dim * dim] + k);
     }
-    for (int k = 0; k < n; ++k) {
+    forces* const nodes = win.node.data();
+    accumulate(nodes, st, n, [=, &st, &stress](int k, auto& sum) {
       std::array<forces, dim> column; // of -V sigma, one per direction of the gradient
       for (int d = 0; d < dim; ++d) {
-        column[static_cast<std::size_t>(d)] = forces::Zero();
-        for (int c = 0; c < dim; ++c) column[static_cast<std::size_t>(d)][c] = stress[c * dim + d][k];
+        column[static_cast<std::size_t>(d)] = forces::make([&](int c) { return c < dim ? stress[(c < dim ? c : 0) * dim + d][k] : T(0); });
       }
-      forces hoop = forces::Zero();
-      if constexpr (Space::hoop) hoop[0] = stress[dim * dim][k];
-      st.for_each_node(k, [&](int o, auto a) {
-        forces f = st.gradient(k, a, 0) * column[0];
-        for (int d = 1; d < dim; ++d) f += st.gradient(k, a, d) * column[static_cast<std::size_t>(d)];
-        if constexpr (Space::hoop) f += st.hoop_value(k, a) * hoop;
-        win.node[static_cast<std::size_t>(o)] += f;
-      });
-    }
+      [[maybe_unused]] const forces hoop = forces::make([&](int c) { return Space::hoop && c == 0 ? stress[dim * dim][k] : T(0); });
+      for (int a = 0; a < stencil_type::nodes; ++a) {
+        forces f = column[0] * st.gradient[0][a][k];
+        for (int d = 1; d < dim; ++d) f += column[static_cast<std::size_t>(d)] * st.gradient[d][a][k];
+        if constexpr (Space::hoop) f += hoop * st.hoop[a][k];
+        sum[static_cast<std::size_t>(a)] += f;
+      }
+    });
   }
 
   /// FLIP: v_p += sum N dv, carried along with sum N (v + dv); m dv_p goes back to the nodes.
   template <class Columns, class Window, class Back>
-  BOLIDE_INLINE void add_change(Columns& p, std::size_t begin, int k, const stencil_type& st, const Window& nodes, Back& win, update_report& report) const {
-    const std::size_t i = begin + static_cast<std::size_t>(k);
-    motion seen = motion::Zero();
-    st.for_each_node(k, [&](int o, auto a) { seen += st.value(k, a) * nodes.node[static_cast<std::size_t>(o)]; });
-    const T m = p.template get<field::mass>()[i];
-    forces back = forces::Zero();
-    T gain = 0;
-    for (int d = 0; d < dim; ++d) {
-      T& v = p.template get<field::velocity>(d)[i];
-      const T dv = seen[dim + d];
-      gain += dv * (v + T(0.5) * dv);
-      v += dv;
-      back[d] = m * dv;
-      p.template get<field::carrying_velocity>(d)[i] = seen[d] + dv;
-    }
-    report.kinetic_gain += static_cast<double>(m) * static_cast<double>(gain);
-    st.for_each_node(k, [&](int o, auto a) { win.node[static_cast<std::size_t>(o)] += st.value(k, a) * back; });
+  BOLIDE_INLINE void add_change(Columns& p, std::size_t begin, int n, const stencil_type& st, const Window& nodes, Back& win, update_report& report) const {
+    const T* const mass = p.template get<field::mass>() + begin;
+    const auto velocity = columns_of<field::velocity, dim>(p, begin), carrying = columns_of<field::carrying_velocity, dim>(p, begin);
+    const motion* const from = nodes.node.data();
+    forces* const to = win.node.data();
+    double kinetic_gain = 0;
+    accumulate(to, st, n, [=, &st, &kinetic_gain](int k, auto& sum) {
+      motion seen(T(0));
+      for (int a = 0; a < stencil_type::nodes; ++a) seen += from[st.base[k] + stencil_type::offset(a)] * st.value[a][k];
+      T gain = 0;
+      for (std::size_t d = 0; d < dim; ++d) {
+        const T v = velocity[d][k], dv = seen[static_cast<int>(dim + d)];
+        gain += dv * (v + T(0.5) * dv);
+        velocity[d][k] = v + dv;
+        carrying[d][k] = seen[static_cast<int>(d)] + dv;
+      }
+      const T m = mass[k];
+      const forces back = forces::make([&](int c) { return c < dim ? m * seen[c < dim ? dim + c : 0] : T(0); });
+      kinetic_gain += static_cast<double>(m) * static_cast<double>(gain);
+      for (int a = 0; a < stencil_type::nodes; ++a) sum[static_cast<std::size_t>(a)] += back * st.value[a][k];
+    });
+    report.kinetic_gain += kinetic_gain;
   }
 
   /// APIC: velocity and affine field from the grid; what is lost on both ways becomes heat.
@@ -403,19 +438,19 @@ private:
     }
     // sums relative to the old velocity: differences, not squares of speeds, are summed
     T v[dim] = {}, moment[dim][dim] = {}, to_grid = 0, square_after = 0;
-    st.for_each_node(k, [&](int o, auto a) {
-      const T w = st.value(k, a);
-      const motion& node = nodes.node[static_cast<std::size_t>(o)];
+    for (int a = 0; a < stencil_type::nodes; ++a) {
+      const T w = st.value[a][k];
+      const motion& at = nodes.node[static_cast<std::size_t>(st.base[k] + stencil_type::offset(a))];
       for (int c = 0; c < dim; ++c) {
-        T before = node[c] - old_v[c];
-        const T after = before + node[dim + c];
+        T before = at[c] - old_v[c];
+        const T after = before + at[dim + c];
         for (int d = 0; d < dim; ++d) before -= old_c[c][d] * st.distance(k, a, d);
         to_grid += w * before * before;
         v[c] += w * after;
         square_after += w * after * after;
         for (int d = 0; d < dim; ++d) moment[c][d] += w * after * st.distance(k, a, d);
       }
-    });
+    }
     T kinetic = 0, resolved = 0;
     for (int c = 0; c < dim; ++c) {
       kinetic += v[c] * (old_v[c] + T(0.5) * v[c]);
@@ -435,17 +470,22 @@ private:
     report.returned_heat += static_cast<double>(m) * static_cast<double>(loss);
   }
 
-  template <class Columns, class Back> BOLIDE_INLINE void scatter_velocity_back(const Columns& p, std::size_t begin, int k, const stencil_type& st, Back& win) const {
-    const std::size_t i = begin + static_cast<std::size_t>(k);
-    const T m = p.template get<field::mass>()[i];
-    st.for_each_node(k, [&](int o, auto a) {
-      forces q = forces::Zero();
-      for (int c = 0; c < dim; ++c) {
-        T v = p.template get<field::velocity>(c)[i];
-        for (int d = 0; d < dim; ++d) v += p.template get<field::affine_velocity>(c * dim + d)[i] * st.distance(k, a, d) * static_cast<T>(h);
-        q[c] = m * v;
+  template <class Columns, class Back> BOLIDE_INLINE void scatter_velocity_back(const Columns& p, std::size_t begin, int n, const stencil_type& st, Back& win) const {
+    const T* const mass = p.template get<field::mass>() + begin;
+    const auto velocity = columns_of<field::velocity, dim>(p, begin);
+    const auto affine = columns_of<field::affine_velocity, dim * dim>(p, begin);
+    const T cell = static_cast<T>(h);
+    accumulate(win.node.data(), st, n, [=, &st](int k, auto& sum) {
+      for (int a = 0; a < stencil_type::nodes; ++a) {
+        const forces q = forces::make([&](int axis) {
+          if (axis >= dim) return T(0);
+          const auto c = static_cast<std::size_t>(axis < dim ? axis : 0);
+          T v = velocity[c][k];
+          for (std::size_t d = 0; d < dim; ++d) v += affine[c * dim + d][k] * st.distance(k, a, static_cast<int>(d)) * cell;
+          return mass[k] * v;
+        });
+        sum[static_cast<std::size_t>(a)] += q * st.value[a][k];
       }
-      win.node[static_cast<std::size_t>(o)] += st.value(k, a) * q;
     });
   }
 
@@ -465,15 +505,15 @@ private:
           report.floors.add(floor_kind::reflected, count(beyond));
           x = select(beyond, T(2) * plane - x, x);
           const V v = load<V>(p.template get<field::velocity>(d) + at);
-          detail::store_first(select(beyond, -v, v), p.template get<field::velocity>(d) + at, n);
+          store_first(select(beyond, -v, v), p.template get<field::velocity>(d) + at, n);
           if constexpr (Transfer::affine)
             for (int e = 0; e < dim * dim; ++e)
               if ((e / dim == d) != (e % dim == d)) {
                 const V c = load<V>(p.template get<field::affine_velocity>(e) + at);
-                detail::store_first(select(beyond, -c, c), p.template get<field::affine_velocity>(e) + at, n);
+                store_first(select(beyond, -c, c), p.template get<field::affine_velocity>(e) + at, n);
               }
         }
-        detail::store_first(x, p.template get<field::position>(d) + at, n);
+        store_first(x, p.template get<field::position>(d) + at, n);
       }
     }
     if (!set.measure(range, h)) report.moved_out = true;

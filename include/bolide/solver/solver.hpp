@@ -185,13 +185,13 @@ private:
     threads_ = controls_.threads > 0 ? controls_.threads : omp_get_max_threads();
     omp_set_num_threads(threads_);
 #endif
+    measure_energy(); // before sort(), which may let particles leave that start outside the box
+    phases_.energy.initial = phases_.energy.now;
+    phases_.energy.momentum_initial = phases_.energy.momentum_now;
     sort();
     phases_.initialise_stress();
     phases_.dt = static_cast<T>(controls_.first_step / phases_.limit.rate / controls_.growth);
     first_dt_ = static_cast<double>(phases_.dt);
-    measure_energy();
-    phases_.energy.initial = phases_.energy.now;
-    phases_.energy.momentum_initial = phases_.energy.momentum_now;
   }
 
   void choose_step(double most) {
@@ -203,6 +203,7 @@ private:
       cause_ = step_cause::end;
     }
     phases_.dt = static_cast<T>(dt);
+    phases_.ignore_below = 1 / (1.01 * controls_.growth * dt);
   }
 
   void check_limit() {
@@ -217,19 +218,21 @@ private:
       stop("the total energy changed by " + to_text(phases_.energy.drift()) + " of the initial energy, beyond the bound of " + to_text(controls_.energy_bound));
   }
   [[noreturn]] void stop(const std::string& why) {
-    std::string text = "bolide: stopped at step " + std::to_string(steps_) + ", time " + to_text(time_) + " s: " + why + ". Shortest step asked for by particle " +
-                       std::to_string(phases_.limit.particle) + " (" + name(phases_.limit.cause) + ")";
+    std::string text("bolide: stopped at step ");
+    text.append(std::to_string(steps_)).append(", time ").append(to_text(time_)).append(" s: ").append(why);
+    text.append(". Shortest step asked for by particle ").append(std::to_string(phases_.limit.particle)).append(" (").append(name(phases_.limit.cause)).append(")");
     phases_.for_each_set([&](const auto& s) {
       const auto& p = s.columns;
       for (std::size_t i = 0; i < p.size(); ++i) {
         if (p.id()[i] != phases_.limit.particle) continue;
-        text += " of body " + s.name + ": position";
-        for (int d = 0; d < dim; ++d) text += " " + to_text(static_cast<double>(p.template get<field::position>(d)[i]));
-        text += " m, velocity";
-        for (int d = 0; d < dim; ++d) text += " " + to_text(static_cast<double>(p.template get<field::velocity>(d)[i]));
+        text.append(" of body ").append(s.name).append(": position");
+        for (int d = 0; d < dim; ++d) text.append(" ").append(to_text(static_cast<double>(p.template get<field::position>(d)[i])));
+        text.append(" m, velocity");
+        for (int d = 0; d < dim; ++d) text.append(" ").append(to_text(static_cast<double>(p.template get<field::velocity>(d)[i])));
         const double m = static_cast<double>(p.template get<field::mass>()[i]);
-        text += " m/s, density " + to_text(m / s.material.material_volume(p, i)) + " kg/m3, energy " + to_text(static_cast<double>(p.template get<field::energy>()[i])) +
-                " J/kg, pressure " + to_text(static_cast<double>(p.template get<field::pressure>()[i])) + " Pa";
+        text.append(" m/s, density ").append(to_text(m / s.material.material_volume(p, i))).append(" kg/m3, energy ");
+        text.append(to_text(static_cast<double>(p.template get<field::energy>()[i]))).append(" J/kg, pressure ");
+        text.append(to_text(static_cast<double>(p.template get<field::pressure>()[i]))).append(" Pa");
       }
     });
     throw run_stopped(text);

@@ -1,100 +1,112 @@
 // SPDX-License-Identifier: MIT
-// How a chunk of particles sees the nodes of its window: first node, and weight and slope of each node of the support per axis.
+// How a chunk of particles sees the nodes of its window: the first node, and weight and gradient of every node of the support.
 //
-// Made once per sweep for up to chunk_size particles, lanes at a time; then the transfers walk over particles and nodes with constant
-// offsets. In r-z the hoop terms use N_t = N + (l^2/2) N'' with l half the particle size: this is N_t = (r N)' averaged over the
-// particle less r N', exact for piecewise quadratic N, and makes the sum of a uniform pressure over the seeding lattice vanish on every
-// node. Without it a folded B-spline leaves 1/32 of p times the area on the first node off the axis. N'' = 0 for linear shapes.
+// Made once per sweep for up to chunk_size particles, lanes at a time, and only what the sweep wants; then the transfers walk over
+// particles and nodes with constant offsets. In r-z the hoop terms use N_t = N + (l^2/2) N'' with l half the particle size: this is
+// (r N)' averaged over the particle less r N', exact for piecewise quadratic N, and makes the sum of a uniform pressure over the
+// seeding lattice vanish on every node. Without it a folded B-spline leaves 1/32 of p times the area on the first node off the axis.
+// N'' = 0 for linear shapes.
 #pragma once
 
-#include "bolide/core/algebra.hpp"
+#include "bolide/core/field.hpp"
+#include "bolide/core/math.hpp"
 #include "bolide/grid/sparse.hpp"
 #include "bolide/material/report.hpp"
 
+#include <limits>
+
 namespace bolide {
+
+/// What a sweep wants of its stencil.
+enum class wants { values, gradients, both };
 
 template <class T, class Space, class Shape> struct stencil {
   static constexpr int dim = Space::dim, support = Shape::support;
-  using map = grid::block_map<dim>;
+  static constexpr int nodes = dim == 1 ? support : support * support;
+  static constexpr int stride = grid::window<dim, T>::stride;
 
-  std::int32_t base[chunk_size];              // offset of the first node in the window
-  T weight[dim][support][chunk_size];
-  T slope[dim][support][chunk_size];          // 1/m
-  T hoop[Space::hoop ? support : 1][chunk_size]; // N_t / r, 1/m
-  T from_first[dim][chunk_size];              // x - first node, cells
+  std::int32_t base[chunk_size];         // offset of the first node in the window
+  alignas(64) T value[nodes][chunk_size];            // N
+  alignas(64) T gradient[dim][nodes][chunk_size];    // dN/dx, 1/m
+  alignas(64) T hoop[Space::hoop ? nodes : 1][chunk_size]; // N_t / r, 1/m
+  alignas(64) T from_first[dim][chunk_size];         // x - first node, cells
+
+  /// Window offset of node n of a support relative to the first.
+  static constexpr int offset(int n) { return dim == 1 ? n : n / support * stride + n % support; }
+  /// Index of node n along an axis.
+  static constexpr int along(int n, int axis) { return dim == 1 ? n : axis == 0 ? n / support : n % support; }
+  /// (x_n - x_p) / h of particle k along an axis.
+  BOLIDE_INLINE T distance(int k, int n, int axis) const { return T(along(n, axis)) - from_first[axis][k]; }
 
   /// Particles begin .. begin + n of columns p, in the block whose first cell is `origin`; they touch the nodes `touched` of it (the first
   /// node is held inside, so that a rounding of x / h on a cell face reads no foreign node). `half_size` is half a particle over h.
-  template <class Columns>
+  template <wants Wanted, class Columns>
   void make(const Columns& p, std::size_t begin, int n, const grid::cell_index<dim>& origin, const grid::node_range<dim>& touched, double h, T half_size) {
-    using V = native_pack<T>;
-    const T inverse_h = static_cast<T>(1 / h);
-    for (int k = 0; k < n; k += lane_width<V>) {
-      std::int32_t offset[lane_width<V>] = {};
-      for (int d = 0; d < dim; ++d) {
-        const V x = load<V>(p.template get<field::position>(d) + begin + static_cast<std::size_t>(k));
-        const V cells = x * inverse_h;
-        const auto at = static_cast<std::size_t>(d);
-        const V first = clip(floor(cells - T(Shape::offset)), V(T(origin[at] + touched.low[at])), V(T(origin[at] + touched.high[at] - support + 1)));
-        const V f = cells - first;
-        store(f, from_first[d] + k);
-        V n_values[support], d_values[support];
-        Shape::value(f, n_values);
-        Shape::slope(f, d_values);
-        for (int a = 0; a < support; ++a) {
-          store(n_values[a], weight[d][a] + k);
-          store(d_values[a] * inverse_h, slope[d][a] + k);
-        }
-        if constexpr (Space::hoop) {
-          if (d == 0) {
-            V curvature[support];
-            Shape::curvature(curvature);
-            const V inverse_r = T(1) / max(x, V(smallest_radius));
-            for (int a = 0; a < support; ++a) store((n_values[a] + T(0.5) * half_size * half_size * curvature[a]) * inverse_r, hoop[a] + k);
-          }
-        }
-        std::int32_t i[lane_width<V>];
-        floor_to_int(first, i);
-        for (int lane_i = 0; lane_i < lane_width<V>; ++lane_i)
-          offset[lane_i] = offset[lane_i] * grid::window<dim, T>::stride + (i[lane_i] - origin[static_cast<std::size_t>(d)] + grid::window<dim, T>::reach);
-      }
-      for (int lane_i = 0; lane_i < lane_width<V>; ++lane_i) base[k + lane_i] = offset[lane_i];
-    }
+    for (int k = 0; k < n; k += lane_width<native_pack<T>>) make_lane<Wanted>(p, begin + static_cast<std::size_t>(k), k, origin, touched, static_cast<T>(1 / h), half_size);
   }
 
-  /// f(node offset, indices per axis) for every node of particle k. The loops have constant bounds and unroll.
-  template <class F> BOLIDE_INLINE void for_each_node(int k, F&& f) const {
-    constexpr int stride = grid::window<dim, T>::stride;
-    const int b = base[k];
-    if constexpr (dim == 1) {
-      for (int i = 0; i < support; ++i) f(b + i, std::array<int, 1>{i});
-    } else {
-      for (int i = 0; i < support; ++i)
-        for (int j = 0; j < support; ++j) f(b + i * stride + j, std::array<int, 2>{i, j});
+  /// N_t - N = (l^2/2) N'', where it raises a weight limited to the weight itself (equal to it on a lattice of 2, 4 ... points per cell): a
+  /// node that hardly sees the particle must not take a force without mass. What is raised is taken from the nodes of negative N''.
+  template <class V> static BOLIDE_INLINE void mend(const V* weight, T half_size, V* change) {
+    V curvature[support], raised(T(0)), wanted(T(0));
+    Shape::curvature(curvature);
+    const V factor(T(0.5) * half_size * half_size), zero(T(0));
+    for (int a = 0; a < support; ++a) {
+      const V whole = factor * max(curvature[a], zero);
+      change[a] = min(whole, weight[a]);
+      raised += change[a];
+      wanted += whole;
     }
+    const V share = select(wanted > zero, raised / max(wanted, V(std::numeric_limits<T>::min())), zero);
+    for (int a = 0; a < support; ++a) change[a] = select(curvature[a] < zero, factor * curvature[a] * share, change[a]);
   }
-  BOLIDE_INLINE T value(int k, const std::array<int, dim>& a) const {
-    T w = weight[0][a[0]][k];
-    for (int d = 1; d < dim; ++d) w *= weight[d][a[static_cast<std::size_t>(d)]][k];
-    return w;
-  }
-  /// dN/dx_axis
-  BOLIDE_INLINE T gradient(int k, const std::array<int, dim>& a, int axis) const {
-    T w = axis == 0 ? slope[0][a[0]][k] : weight[0][a[0]][k];
-    for (int d = 1; d < dim; ++d) w *= axis == d ? slope[d][a[static_cast<std::size_t>(d)]][k] : weight[d][a[static_cast<std::size_t>(d)]][k];
-    return w;
-  }
-  /// N_t / r
-  BOLIDE_INLINE T hoop_value(int k, const std::array<int, dim>& a) const {
-    T w = hoop[a[0]][k];
-    for (int d = 1; d < dim; ++d) w *= weight[d][a[static_cast<std::size_t>(d)]][k];
-    return w;
-  }
-  /// (x_I - x_p) / h along an axis
-  BOLIDE_INLINE T distance(int k, const std::array<int, dim>& a, int axis) const { return T(a[static_cast<std::size_t>(axis)]) - from_first[axis][k]; }
 
 private:
   static constexpr T smallest_radius = T(1e-30); // a particle at r = 0: N/r of the node off the axis is finite there
+
+  template <wants Wanted, class Columns>
+  BOLIDE_INLINE void make_lane(const Columns& p, std::size_t at, int k, const grid::cell_index<dim>& origin, const grid::node_range<dim>& touched, T inverse_h,
+                               T half_size) {
+    using V = native_pack<T>;
+    V weight[dim][support], slope[dim][support], hoop_weight[support];
+    V offset_sum(T(0));
+    for (std::size_t d = 0; d < dim; ++d) {
+      const V x = load<V>(p.template get<field::position>(static_cast<int>(d)) + at);
+      const V cells = x * inverse_h;
+      const V first = clip(floor(cells - T(Shape::offset)), V(T(origin[d] + touched.low[d])), V(T(origin[d] + touched.high[d] - support + 1)));
+      const V f = cells - first;
+      store(f, from_first[d] + k);
+      Shape::value(f, weight[d]);
+      if constexpr (Wanted != wants::values) {
+        Shape::slope(f, slope[d]);
+        for (int a = 0; a < support; ++a) slope[d][a] = slope[d][a] * inverse_h;
+        if constexpr (Space::hoop)
+          if (d == 0) {
+            V change[support];
+            mend(weight[0], half_size, change);
+            const V inverse_r = V(T(1)) / max(x, V(smallest_radius));
+            for (int a = 0; a < support; ++a) hoop_weight[a] = (weight[0][a] + change[a]) * inverse_r;
+          }
+      }
+      offset_sum = offset_sum * T(stride) + (first - T(origin[d] - grid::window<dim, T>::reach));
+    }
+    for (int i = 0; i < lane_width<V>; ++i) base[k + i] = static_cast<std::int32_t>(lane(offset_sum, i));
+    for (int node = 0; node < nodes; ++node) {
+      const int i = along(node, 0);
+      if constexpr (dim == 1) {
+        if constexpr (Wanted != wants::gradients) store(weight[0][i], value[node] + k);
+        if constexpr (Wanted != wants::values) store(slope[0][i], gradient[0][node] + k);
+      } else {
+        const int j = along(node, 1);
+        if constexpr (Wanted != wants::gradients) store(weight[0][i] * weight[1][j], value[node] + k);
+        if constexpr (Wanted != wants::values) {
+          store(slope[0][i] * weight[1][j], gradient[0][node] + k);
+          store(weight[0][i] * slope[1][j], gradient[1][node] + k);
+          if constexpr (Space::hoop) store(hoop_weight[i] * weight[1][j], hoop[node] + k);
+        }
+      }
+    }
+  }
 };
 
 } // namespace bolide
