@@ -124,17 +124,21 @@ TYPED_TEST(ShapeFunctions, HaveTheInertiaThatTheySay) {
   EXPECT_EQ(S::smooth, (requires { S::inertia; })) << "APIC takes smooth shapes and needs their inertia";
 }
 
-TEST(LinearShape, KeepsAShareForTheFarNodeOnACellFace) {
-  // A force on a node without mass would be lost (a bug once): see FaceParticle in solver/ledger_test.cpp.
-  double n[2];
-  shape::linear::value(0.0, n);
-  EXPECT_GT(n[1], 0);
-  EXPECT_LT(n[1], 1e-15);
-  EXPECT_EQ(n[0] + n[1], 1);
-  float m[2];
-  shape::linear::value(0.0f, m);
-  EXPECT_GT(m[1], 0);
-  EXPECT_LT(m[1], 1e-6f);
+template <class V> class LinearShape : public testing::Test {};
+TYPED_TEST_SUITE(LinearShape, lane_types);
+
+/// A force on a node without mass would be lost (a bug once, and once more for x = -1e-18): see FaceParticle in solver/ledger_test.cpp.
+TYPED_TEST(LinearShape, KeepsAShareForBothNodesOnACellFace) {
+  using V = TypeParam;
+  for (double f : {0.0, 1.0}) { // 1.0 is what x - floor(x) rounds to for x = -1e-18
+    V n[2];
+    shape::linear::value(V(static_cast<scalar_t<V>>(f)), n);
+    for (int i = 0; i < 2; ++i) {
+      EXPECT_GT(lane(n[i], 0), 0) << "f = " << f << ", node " << i;
+      EXPECT_NEAR(static_cast<double>(lane(n[i], 0)), std::abs(1 - i - f), test::epsilon<V>(8));
+    }
+    EXPECT_EQ(lane(n[0], 0) + lane(n[1], 0), 1);
+  }
 }
 
 } // namespace
