@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// --shape bspline --transfer flip --precision double, with both schemes
+#include "composition.hpp"
+#include "compositions.hpp"
+
+#include "bolide/shape/quadratic_bspline.hpp"
+
+namespace impact {
+template <> std::unique_ptr<simulation> compose_bspline_flip(const settings& s, const chosen_material<double>& ball,
+                                                             const chosen_material<double>& plate) {
+  return compose<double, bolide::shape::quadratic_bspline, bolide::transfer::flip>(s, ball, plate);
+}
+} // namespace impact

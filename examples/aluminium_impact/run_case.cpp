@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+// One run from the first step to the files: history.csv row by row, ParaView frames, then summary.json and the pictures.
+#include "interrupt.hpp"
+#include "materials.hpp"
+#include "outcome.hpp"
+
+#include "bolide/core/contract.hpp"
+#include "bolide/observe/csv.hpp"
+#include "bolide/observe/progress.hpp"
+#include "bolide/observe/vtk.hpp"
+
+#include <chrono>
+#include <cstdio>
+#include <iostream>
+#include <string_view>
+
+namespace impact {
+namespace {
+
+using namespace bolide;
+namespace fs = std::filesystem;
+
+constexpr int history_rows = 200;
+
+/// history.csv: one row every two-hundredth of the run.
+class history {
+public:
+  explicit history(const fs::path& path)
+      : table_(path, {"time (s)",
+                      "step",
+                      "dt (s)",
+                      "cause",
+                      "particles",
+                      "kinetic (J)",
+                      "internal (J)",
+                      "cold (J)",
+                      "thermal (J)",
+                      "elastic_shear (J)",
+                      "transfer (J)",
+                      "returned_heat (J)",
+                      "work_mismatch (J)",
+                      "left (J)",
+                      "plastic_work (J)",
+                      "viscous_heating (J)",
+                      "failure_release (J)",
+                      "drift (1)",
+                      "residual (1)",
+                      "momentum_r (kg m/s)",
+                      "momentum_z (kg m/s)",
+                      "momentum_z_left (kg m/s)",
+                      "mass (kg)",
+                      "mass_left (kg)",
+                      "least_pressure (Pa)",
+                      "most_pressure (Pa)",
+                      "most_speed (m/s)",
+                      "most_temperature (K)",
+                      "least_density (kg/m3)",
+                      "most_density (kg/m3)",
+                      "floors (1)"}) {}
+
+  void row(simulation& sim) {
+    const ledger& l = sim.energies();
+    const census c = sim.count();
+    std::uint64_t floors = 0;
+    for (const auto n : l.floors.count) floors += n;
+    table_.row({sim.time(),
+                sim.steps(),
+                sim.dt(),
+                bolide::name(sim.cause()),
+                sim.particle_count(),
+                l.now.kinetic,
+                l.now.internal,
+                c.cold,
+                c.thermal,
+                c.shear,
+                l.transfer,
+                l.returned_heat,
+                l.work_mismatch,
+                l.left,
+                l.plastic_work,
+                l.viscous_heating,
+                l.failure_release,
+                l.drift(),
+                l.residual(),
+                l.momentum_now[0],
+                l.momentum_now[1],
+                l.momentum_left[1],
+                c.mass,
+                l.mass_left,
+                c.least_pressure,
+                c.most_pressure,
+                c.most_speed,
+                c.most_temperature,
+                c.least_density,
+                c.most_density,
+                floors});
+    step_ = sim.steps();
+  }
+  void last_row(simulation& sim) {
+    if (sim.steps() != step_) row(sim);
+  }
+
+private:
+  observe::csv_table table_;
+  long step_ = -1;
+};
+
+/// ParaView frames at the start, at even times and at the end. A frame is taken at the first step at or after its time: steps are not cut.
+class frames {
+public:
+  frames(const settings& s, const fs::path& folder) : wanted_(!s.frames || *s.frames > 0), series_(folder, "particles", options(s)) {
+    interval_ = s.frames && *s.frames > 0 ? s.until / *s.frames : 0.6 * unit::us;
+  }
+  void look(const simulation& sim, bool at_end = false) {
+    if (!wanted_ || sim.steps() == step_ || !(at_end || sim.time() >= static_cast<double>(next_) * interval_ * (1 - 1e-12))) return;
+    series_.write(sim.snapshot());
+    step_ = sim.steps();
+    while (static_cast<double>(next_) * interval_ * (1 - 1e-12) <= sim.time()) ++next_;
+  }
+
+private:
+  static observe::vtk_options options(const settings& s) {
+    observe::vtk_options o;
+    if (s.fields == "all") return o;
+    std::string_view rest = s.fields;
+    for (;;) {
+      const auto comma = rest.find(',');
+      o.columns.emplace_back(rest.substr(0, comma));
+      if (comma == rest.npos) return o;
+      rest.remove_prefix(comma + 1);
+    }
+  }
+  bool wanted_;
+  observe::vtk_series series_;
+  double interval_ = 0;
+  long next_ = 0, step_ = -1;
+};
+
+/// The step loop. Fills status and message.
+void advance(simulation& sim, const settings& s, const fs::path& folder, outcome& o) {
+  history table(folder / "history.csv");
+  frames paraview(s, folder);
+  observe::progress progress(s.until);
+  table.row(sim);
+  paraview.look(sim);
+  int rows = 0;
+  try {
+    while (sim.time() < s.until * (1 - 1e-12) && !interrupted()) {
+      sim.step(s.until - sim.time());
+      ++o.steps_by_cause[static_cast<std::size_t>(sim.cause())];
+      progress(sim.time(), sim.steps(), std::string("dt by ") + bolide::name(sim.cause()));
+      if (sim.time() * history_rows >= s.until * (rows + 1)) {
+        rows = static_cast<int>(sim.time() / s.until * history_rows);
+        table.row(sim);
+      }
+      paraview.look(sim);
+    }
+    if (interrupted()) o.status = run_status::interrupted, o.message = "interrupted by signal " + std::to_string(interrupted());
+  } catch (const stopped& stop) {
+    o.status = run_status::stopped;
+    o.message = stop.what();
+  }
+  progress.finish();
+  table.last_row(sim);
+  paraview.look(sim, true);
+}
+
+/// What must hold of every run that came to its end: checked, and said.
+void check_outcome(outcome& o) {
+  char text[240];
+  const auto say = [&](bool holds) { (holds ? o.checks : o.failed_checks).emplace_back(text); };
+  const double residual = std::abs(o.energies.residual()), bound = o.used.precision == "float" ? 1e-4 : 1e-9;
+  std::snprintf(text, sizeof text, "the energy ledger closes: residual %.1e of the initial energy, bound %.0e", residual, bound);
+  say(residual <= bound);
+  const settings d;
+  const bool lattice = o.used.diameter == d.diameter && o.used.thickness == d.thickness && o.used.plate_radius == d.plate_radius &&
+                       o.used.spacing == d.spacing;
+  if (lattice) {
+    std::snprintf(text, sizeof text, "the lattice has %zu particles, expected 58010", o.particles);
+    say(o.particles == 58010);
+  }
+}
+
+} // namespace
+
+outcome run_case(const settings& s, const fs::path& folder, bool draw) {
+  const auto begin = std::chrono::steady_clock::now();
+  const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
+  outcome o;
+  o.used = s;
+  const auto sim = make_simulation(s);
+  sim->start();
+  o.reference_pressure = contact_line_reference(s.projectile, s.target, s.velocity);
+  o.first = sim->count();
+  o.particles = sim->particle_count();
+  o.geometric_mass = sim->geometric_mass();
+  o.threads = sim->threads();
+  std::cerr << "aluminium_impact: " << title(s) << ", " << s.eos << "; " << s.shape << " " << s.transfer << " " << s.scheme << " "
+            << s.precision << "; " << o.particles << " particles, " << o.threads << (o.threads == 1 ? " thread\n" : " threads\n");
+
+  advance(*sim, s, folder, o);
+
+  o.steps = sim->steps();
+  o.simulated = sim->time();
+  o.solver = sim->solver_seconds();
+  o.particle_steps = static_cast<double>(sim->particle_steps());
+  o.energies = sim->energies();
+  o.final = sim->count();
+  o.last = sim->snapshot();
+  observe::impact_scene scene;
+  scene.plate_rear_z = s.thickness;
+  scene.impact_speed = s.velocity;
+  scene.reference_pressure = o.reference_pressure;
+  o.cloud = observe::debris_cloud(o.last, scene);
+  if (o.status == run_status::done) check_outcome(o);
+  o.wall = seconds();
+  write_summary(folder / "summary.json", o);
+  if (!draw) return o;
+  try {
+    write_pictures(folder, o);
+  } catch (const bad_parameter& e) { // a run that stopped may leave nothing that can be drawn
+    if (o.status == run_status::done) throw;
+    std::cerr << "aluminium_impact: no pictures: " << e.what() << "\n";
+  }
+  o.wall = seconds();
+  write_summary(folder / "summary.json", o);
+  return o;
+}
+
+int exit_code_of(const outcome& o) {
+  if (o.status == run_status::interrupted) return 128 + interrupted();
+  if (o.status == run_status::stopped) return 3;
+  return o.failed_checks.empty() ? 0 : 1;
+}
+
+} // namespace impact
