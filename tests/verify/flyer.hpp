@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+// A flyer of V = 6640 m/s on a plate of the same metal, sampled against the exact Rankine-Hugoniot state of its equation of state.
+//
+// Samples are particles between the shock fronts, ten cells away from both fronts and from the interface; no release has begun. The shock speed comes from the front's position at two times (midpoint of the jump in velocity,
+// interpolated between particles), the front's spread does not enter.
+#pragma once
+
+#include "bolide/analysis/hugoniot.hpp"
+#include "bolide/eos/cold/cai_ye.hpp"
+#include "bolide/eos/cold/tabulated.hpp"
+#include "bolide/eos/grover.hpp"
+#include "bolide/eos/phase/helm.hpp"
+#include "bolide/eos/phase/mixed.hpp"
+#include "bolide/eos/phase/paper.hpp"
+#include "bolide/eos/state.hpp"
+#include "bolide/eos/tillotson.hpp"
+#include "bolide/viscosity/none.hpp"
+
+#include "unit/solver/scenes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <vector>
+
+namespace bolide::verify {
+using namespace test;
+
+/// An equation of state with the state that its flyer starts from.
+template <class Eos> struct start {
+  Eos eos;
+  initial_state state;
+};
+inline auto mie_grueneisen() {
+  return start{eos::isentrope_temperature{eos::mie_grueneisen{{.constant_gamma = true}}}, initial_state{2785, 0}};
+}
+inline auto tillotson() { return start{eos::isentrope_temperature{eos::tillotson{}}, initial_state{2700, 0}}; }
+template <class Phase> auto grover_ambient(Phase phase) {
+  auto eos = eos::grover{cold::tabulated{cold::cai_ye{}}, phase};
+  const auto at = eos::ambient_state(eos, 293);
+  return start{eos, initial_state{at.density, at.energy}};
+}
+inline auto mixed() { return grover_ambient(phase::mixed{}); }
+inline auto helm() { return grover_ambient(phase::helm{}); }
+/// From the cold state: its melting jump makes the Hugoniot from 293 K multi-valued near 80 to 90 GPa.
+inline auto paper() {
+  auto eos = eos::grover{cold::tabulated{cold::cai_ye{}}, phase::paper{}};
+  return start{eos, initial_state{eos.reference_density(), 0}};
+}
+
+/// Means over the sampled particles, and the scatter of p (standard deviation over the mean).
+struct sampled {
+  int n = 0;
+  double p = 0, rho = 0, e = 0, temperature = 0, up = 0, us = 0, p_scatter = 0, v_scatter = 0;
+  double drift = 0, viscous = 0, returned = 0;
+  long steps = 0;
+};
+
+inline constexpr double impact_speed = 6640, cell = 0.1e-3;
+
+/// Right-going front: where the axial velocity falls through half of up, among particles of |r| < width.
+template <class Solver> double front_position(const Solver& sim, double up, double width) {
+  constexpr int axis = Solver::dim - 1;
+  std::vector<std::pair<double, double>> zv;
+  sim.for_each_body([&](const auto& s) {
+    const auto& p = s.columns;
+    for (std::size_t i = 0; i < p.size(); ++i)
+      if (Solver::dim == 1 || p.template get<field::position>(0)[i] < width)
+        zv.emplace_back(p.template get<field::position>(axis)[i], p.template get<field::velocity>(axis)[i]);
+  });
+  std::sort(zv.begin(), zv.end());
+  // mean velocity in bins of half a cell, walked from the quiet end
+  const double bin = cell / 2;
+  std::vector<double> sum, count;
+  const double z0 = zv.front().first;
+  for (const auto& [z, v] : zv) {
+    const auto b = static_cast<std::size_t>((z - z0) / bin);
+    if (b >= sum.size()) sum.resize(b + 1, 0), count.resize(b + 1, 0);
+    sum[b] += v, count[b] += 1;
+  }
+  double ahead_z = 0, ahead_v = 0;
+  bool have = false;
+  for (std::size_t b = sum.size(); b-- > 0;) {
+    if (count[b] == 0) continue;
+    const double z = z0 + (static_cast<double>(b) + 0.5) * bin, v = sum[b] / count[b];
+    if (have && v >= up / 2) return ahead_z + (z - ahead_z) * (up / 2 - ahead_v) / (v - ahead_v);
+    ahead_z = z, ahead_v = v, have = true;
+  }
+  return std::nan("");
+}
+
+/// Samples between the fronts at the solver's time.
+template <class Solver> sampled sample(Solver& sim, const analysis::shock_state& exact, double width) {
+  constexpr int axis = Solver::dim - 1;
+  const double t = sim.time(), interface = exact.particle_speed * t, reach = (exact.shock_speed - exact.particle_speed) * t, away = 10 * cell;
+  sampled s;
+  double p2 = 0, v2 = 0;
+  sim.for_each_body([&](const auto& set) {
+    const auto& p = set.columns;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      if (Solver::dim == 2 && p.template get<field::position>(0)[i] > width) continue;
+      const double z = p.template get<field::position>(axis)[i], d = std::abs(z - interface);
+      if (d < away || d > reach - away) continue;
+      const double pr = p.template get<field::pressure>()[i], v = p.template get<field::velocity>(axis)[i];
+      ++s.n;
+      s.p += pr, p2 += pr * pr;
+      s.up += v, v2 += v * v;
+      s.rho += p.template get<field::mass>()[i] / p.template get<field::volume>()[i];
+      s.e += p.template get<field::energy>()[i];
+      s.temperature += set.material.thermodynamics(p, i).temperature;
+    }
+  });
+  for (double* x : {&s.p, &s.rho, &s.e, &s.temperature, &s.up}) *x /= s.n;
+  s.p_scatter = std::sqrt(std::max(0.0, p2 / s.n - s.p * s.p)) / s.p;
+  s.v_scatter = std::sqrt(std::max(0.0, v2 / s.n - s.up * s.up));
+  return s;
+}
+
+template <class Solver> sampled run_flyer(Solver& sim, const analysis::shock_state& exact, double until, double width) {
+  sim.run(0.5 * until);
+  const double early = front_position(sim, exact.particle_speed, width), t = sim.time();
+  sim.run(until);
+  const double us = (front_position(sim, exact.particle_speed, width) - early) / (sim.time() - t);
+  sampled s = sample(sim, exact, width);
+  s.us = us;
+  const auto& l = sim.energies();
+  s.drift = l.drift(), s.viscous = l.viscous_heating / l.scale(), s.returned = l.returned_heat / l.scale();
+  s.steps = sim.steps();
+  return s;
+}
+
+template <class Start> analysis::shock_state exact_shock(const Start& at) {
+  return analysis::hugoniot(at.eos, at.state.density, at.state.energy, at.eos.evaluate(at.state.density, at.state.energy).pressure, impact_speed / 2);
+}
+
+/// 1-D: slabs of 8 mm, 80 cells of two particles each.
+template <class Method, class Start, class Viscosity = viscosity::bulk> sampled flyer_1d(const Start& at, Viscosity q = Viscosity(), typename Method::transfer_type transfer = typename Method::transfer_type()) {
+  using point = vec<double, 1>;
+  const material al{at.eos, strength::none{}, failure::none{}, q};
+  const body flyer{"flyer", box{point{-8 * mm}, point{0}}, al, cell / 2, at.state, point{impact_speed}};
+  const body plate{"plate", box{point{0}, point{8 * mm}}, al, cell / 2, at.state};
+  solver sim{space::planar_1d{}, grid::sparse{cell}, typename Method::shape_type{}, transfer, typename Method::scheme_type{}, one_thread<typename Method::scalar>(), flyer, plate};
+  return run_flyer(sim, exact_shock(at), 0.72 * us, 0);
+}
+
+/// r-z: discs of 8 mm between the axis and a slip wall at r = 0.8 mm: plane waves, with the hoop terms, the axis and the wall at work.
+template <class Method, class Start, class Viscosity = viscosity::bulk> sampled flyer_rz(const Start& at, Viscosity q = Viscosity(), typename Method::transfer_type transfer = typename Method::transfer_type()) {
+  using point = vec<double, 2>;
+  const double radius = 0.8 * mm;
+  const material al{at.eos, strength::none{}, failure::none{}, q};
+  const body flyer{"flyer", box{point{0, -8 * mm}, point{radius, 0}}, al, cell / 2, at.state, point{0, impact_speed}};
+  const body plate{"plate", box{point{0, 0}, point{radius, 8 * mm}}, al, cell / 2, at.state};
+  solver sim{space::axisymmetric{}, grid::sparse{cell}, typename Method::shape_type{}, transfer, typename Method::scheme_type{}, one_thread<typename Method::scalar>(), flyer, plate};
+  sim.add(grid::mirror{0, radius, false});
+  return run_flyer(sim, exact_shock(at), 0.72 * us, 2 * radius);
+}
+
+/// One line of docs/validation.md's table (errors in percent), and of the file named by BOLIDE_FLYER_TABLE if it is set.
+inline void report(const std::string& eos, const char* space, const std::string& method, const sampled& s, const analysis::shock_state& x) {
+  const auto percent = [](double a, double b) { return 100 * (a / b - 1); };
+  char line[400];
+  std::snprintf(line, sizeof line, "| %s | %s | %s | %+.2f | %+.2f | %+.2f | %+.2f | %+.2f | %.1f | %.0f | %.0e |\n", eos.c_str(), space, method.c_str(), percent(s.p, x.pressure),
+                percent(s.rho, x.density), percent(s.us, x.shock_speed), percent(s.e, x.energy), percent(s.temperature, x.temperature), 100 * s.p_scatter, s.v_scatter, s.drift);
+  std::fputs(line, stdout);
+  if (const char* to = std::getenv("BOLIDE_FLYER_TABLE"))
+    if (std::FILE* f = std::fopen(to, "a")) {
+      std::fputs(line, f);
+      std::fclose(f);
+    }
+}
+
+} // namespace bolide::verify
