@@ -58,6 +58,14 @@ public:
     }
   }
 
+  /// A block whose image is touched is touched.
+  void spread(std::vector<char>& touched) const {
+    for (const auto& [image, real] : pairs_) {
+      char& a = touched[static_cast<std::size_t>(image / block_map<Dim>::nodes_per_block)];
+      char& b = touched[static_cast<std::size_t>(real / block_map<Dim>::nodes_per_block)];
+      a = b = static_cast<char>(a | b);
+    }
+  }
   /// Completes sums over particles; component `first + axis` is the one normal to the plane (first < 0: none is).
   template <class Values> void complete(std::vector<Values>& sums, int first) const {
     const int normal = first < 0 ? -1 : first + static_cast<int>(axis_);

@@ -20,6 +20,15 @@ template <int Dim> struct block_range {
   std::size_t begin, end;                             // particles
   std::array<std::int32_t, map::neighbours> near;     // the blocks around
   grid::node_range<Dim> touched;                      // first nodes of the supports, relative to origin: low and high over the particles
+
+  /// Do the particles touch a node of neighbour n (of 3^Dim, last axis fastest)?
+  bool touches(int n) const {
+    for (int d = Dim - 1; d >= 0; --d, n /= 3) {
+      const auto at = static_cast<std::size_t>(d);
+      if ((n % 3 == 0 && touched.low[at] >= 0) || (n % 3 == 2 && touched.high[at] < map::side)) return false;
+    }
+    return true;
+  }
 };
 
 template <class T, class Space, class Shape, class Material, class Fields> struct particle_set {

@@ -46,8 +46,9 @@ public:
   // ---- the phases -------------------------------------------------------------------------------------------------------------
   /// m_I = sum N m, P_I = sum N m v; with a stress that was updated last also f_I = -sum V sigma grad N.
   void map_to_nodes() {
-    sums_.assign(node_count(), sums(T(0)));
-    if constexpr (!Scheme::stress_first) forces_.assign(node_count(), forces(T(0)));
+    find_touched_blocks();
+    clear(sums_);
+    if constexpr (!Scheme::stress_first) clear(forces_);
     sweep([this](auto& set, auto& range, update_report&) {
       scatter(sums_, range, [&](auto& win) {
         chunks<wants::values>(set, range, [&](std::size_t begin, int n, const stencil_type& st) {
@@ -74,7 +75,7 @@ public:
 
   /// Stress from the velocities that the particles brought to the nodes, then its forces.
   void update_stress_first() {
-    forces_.assign(node_count(), forces(T(0)));
+    clear(forces_);
     start_report();
     sweep([this](auto& set, auto& range, update_report& report) {
       gather(motion_, range, [&](auto& nodes) {
@@ -105,7 +106,7 @@ public:
   /// New particle velocities; what the scheme or the transfer needs back on the nodes.
   void map_to_particles() {
     constexpr bool maps_back = !Transfer::affine || !Scheme::stress_first;
-    if constexpr (maps_back) back_.assign(node_count(), forces(T(0)));
+    if constexpr (maps_back) clear(back_);
     sweep([this](auto& set, auto& range, update_report& report) {
       gather(motion_, range, [&](auto& nodes) {
         const auto run = [&](auto& win) {
@@ -195,9 +196,11 @@ public:
   std::size_t node_count() const { return blocks.size() * map::nodes_per_block; }
 
 private:
+  static constexpr std::int64_t worth_threads = 16384; // particles (or half as many nodes) below which threads cost more than they give
   std::vector<sums> sums_;
   std::vector<forces> forces_, back_;
   std::vector<motion> motion_;
+  std::vector<std::int32_t> touched_;  // blocks with nodes that particles touch in this step
   std::vector<update_report> reports_; // one per range
 
   step_context<T> context(bool gradient_at_end) const { return {dt, static_cast<T>(h), courant, ignore_below, gradient_at_end}; }
@@ -211,7 +214,7 @@ private:
     for_each_set([&](auto& s) {
       for (const auto& colour : s.by_colour) {
         const auto count = static_cast<std::int64_t>(colour.size());
-#pragma omp parallel for schedule(dynamic, 4) if (count > 8)
+#pragma omp parallel for schedule(dynamic, 4) if (static_cast<std::int64_t>(s.columns.size()) > worth_threads)
         for (std::int64_t i = 0; i < count; ++i) {
           const auto r = static_cast<std::size_t>(colour[static_cast<std::size_t>(i)]);
           f(s, s.ranges[r], reports_[first + r]);
@@ -242,16 +245,38 @@ private:
     total_.kinetic_gain = total_.returned_heat = 0;
   }
 
+  /// Which blocks have a node that some particle touches? Only they are cleared and looped over: empty halo costs nothing.
+  void find_touched_blocks() {
+    std::vector<char> touched(blocks.size(), 0);
+    for_each_set([&](const auto& s) {
+      for (const auto& r : s.ranges)
+        for (int n = 0; n < map::neighbours; ++n)
+          if (r.touches(n)) touched[static_cast<std::size_t>(r.near[static_cast<std::size_t>(n)])] = 1;
+    });
+    for (const auto& m : mirrors) m.spread(touched);
+    touched_.clear();
+    for (std::size_t b = 0; b < touched.size(); ++b)
+      if (touched[b]) touched_.push_back(static_cast<std::int32_t>(b));
+  }
+  template <class Values> void clear(std::vector<Values>& column) {
+    column.resize(node_count());
+    each_node([&](std::size_t i) { column[i] = Values(T(0)); });
+  }
+  /// f(node) for every node of the touched blocks.
   template <class F> void each_node(F&& f) {
-    const auto n = static_cast<std::int64_t>(node_count());
-#pragma omp parallel for schedule(static) if (n > 4096)
-    for (std::int64_t i = 0; i < n; ++i) f(static_cast<std::size_t>(i));
+    const auto n = static_cast<std::int64_t>(touched_.size());
+#pragma omp parallel for schedule(static) if (n * map::nodes_per_block > 2 * worth_threads)
+    for (std::int64_t b = 0; b < n; ++b) {
+      const std::size_t first = static_cast<std::size_t>(touched_[static_cast<std::size_t>(b)]) * map::nodes_per_block;
+      for (std::size_t i = first; i < first + map::nodes_per_block; ++i) f(i);
+    }
   }
 
   /// W = sum f.(v + dv/2) dt over the real nodes, in a fixed order: leaves the nodes, so transfer loses and mismatch gains it.
   void nodal_work() {
     double work = 0;
-    for (std::size_t b = 0; b < blocks.size(); ++b) {
+    for (const auto block : touched_) {
+      const auto b = static_cast<std::size_t>(block);
       double part = 0;
       for (std::size_t i = b * map::nodes_per_block; i < (b + 1) * map::nodes_per_block; ++i) {
         if (!(sums_[i][0] > T(0)) || is_image(i)) continue;

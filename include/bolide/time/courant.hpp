@@ -17,7 +17,7 @@ template <class T = double> struct controls {
   double dt_floor = 1e-6;        // least step over the first one: below it the run stops with a message
   double energy_bound = 0.5;     // largest |total energy change| over the initial energy
   long step_cap = 10'000'000;
-  int threads = 0;               // 0: as many as the machine has
+  int threads = 1;               // 0: as many as the machine has; on a machine that is busy with other work threads wait for each other
 
   void validate() const {
     require(courant > 0 && courant <= 1.5, "Courant number", courant, "in (0, 1.5]");
