@@ -26,7 +26,7 @@ public:
   using map = grid::block_map<dim>;
   using sums = grid::node_values<T, dim + 1>;     // m, P
   using forces = grid::node_values<T, dim>;       // f, or the momentum change mapped back
-  using motion = grid::node_values<T, 2 * dim>;   // v, dv
+  using motion = grid::node_values<T, 2 * dim>;   // v at the beginning, and its change (FLIP) or v at the end (APIC)
   using stencil_type = stencil<T, Space, Shape>;
 
   std::tuple<Sets...> sets;
@@ -82,7 +82,7 @@ public:
         scatter(forces_, range, [&](auto& win) {
           chunks<wants::gradients>(set, range, [&](std::size_t begin, int n, const stencil_type& st) {
             T l[Space::gradient_size][chunk_size];
-            velocity_gradient(n, st, nodes, T(0), l);
+            velocity_gradient(n, st, nodes, T(1), T(0), l);
             set.material.template update<Space>(set.columns, begin, n, l, context(true), report);
             scatter_force(set, begin, n, st, win);
           });
@@ -98,7 +98,7 @@ public:
     each_node([this](std::size_t i) {
       if (!(sums_[i][0] > T(0))) return;
       const T factor = dt / sums_[i][0];
-      for (int d = 0; d < dim; ++d) motion_[i].set(dim + d, forces_[i][d] * factor);
+      for (int d = 0; d < dim; ++d) motion_[i].set(dim + d, forces_[i][d] * factor + (Transfer::affine ? motion_[i][d] : T(0)));
     });
     if constexpr (Transfer::affine) nodal_work();
   }
@@ -113,9 +113,9 @@ public:
           chunks<Transfer::affine ? wants::both : wants::values>(set, range, [&](std::size_t begin, int n, const stencil_type& st) {
             if constexpr (Transfer::affine) {
               T l[Space::gradient_size][chunk_size];
-              velocity_gradient(n, st, nodes, T(0.5), l);
+              velocity_gradient(n, st, nodes, T(0.5), T(0.5), l);
               set.material.template work<Space>(set.columns, begin, n, l, dt, report);
-              for (int k = 0; k < n; ++k) take_affine(set.columns, begin, k, st, nodes, report);
+              take_affine(set.columns, begin, n, st, nodes, report);
               if constexpr (maps_back)
                 scatter_velocity_back(set.columns, begin, n, st, win);
             } else {
@@ -132,8 +132,7 @@ public:
       for (const auto& m : mirrors) m.complete(back_, 0);
       each_node([this](std::size_t i) {
         if (!(sums_[i][0] > T(0))) return;
-        for (int d = 0; d < dim; ++d) // FLIP: dv~ = sum N m dv_p / m_I; APIC: v'_I - v_I
-          motion_[i].set(dim + d, back_[i][d] / sums_[i][0] - (Transfer::affine ? motion_[i][d] : T(0)));
+        for (int d = 0; d < dim; ++d) motion_[i].set(dim + d, back_[i][d] / sums_[i][0]); // FLIP: dv~ = sum N m dv_p / m_I; APIC: v'_I
       });
     }
     if constexpr (!Transfer::affine) nodal_work();
@@ -148,11 +147,11 @@ public:
           chunks<wants::gradients>(set, range, [&](std::size_t begin, int n, const stencil_type& st) {
             T l[Space::gradient_size][chunk_size];
             if constexpr (!Transfer::affine) {
-              velocity_gradient(n, st, nodes, T(0.5), l);
+              velocity_gradient(n, st, nodes, T(1), T(0.5), l);
               set.material.template work<Space>(set.columns, begin, n, l, dt, report);
             }
             if constexpr (!Scheme::stress_first) {
-              velocity_gradient(n, st, nodes, T(1), l);
+              velocity_gradient(n, st, nodes, Transfer::affine ? T(0) : T(1), T(1), l);
               set.material.template update<Space>(set.columns, begin, n, l, context(false), report);
             }
           });
@@ -281,7 +280,7 @@ private:
       for (std::size_t i = b * map::nodes_per_block; i < (b + 1) * map::nodes_per_block; ++i) {
         if (!(sums_[i][0] > T(0)) || is_image(i)) continue;
         for (int d = 0; d < dim; ++d)
-          part += static_cast<double>(forces_[i][d]) * (static_cast<double>(motion_[i][d]) + 0.5 * static_cast<double>(motion_[i][dim + d]));
+          part += static_cast<double>(forces_[i][d]) * ((Transfer::affine ? 0.5 : 1) * static_cast<double>(motion_[i][d]) + 0.5 * static_cast<double>(motion_[i][dim + d]));
       }
       work += part;
     }
@@ -370,8 +369,8 @@ private:
     });
   }
 
-  /// Gradient of v + fraction * dv at n particles.
-  template <class Window> BOLIDE_INLINE void velocity_gradient(int n, const stencil_type& st, const Window& nodes, T fraction, T (*l)[chunk_size]) const {
+  /// Gradient at n particles of `first` times the first velocity of the nodes plus `second` times the second.
+  template <class Window> BOLIDE_INLINE void velocity_gradient(int n, const stencil_type& st, const Window& nodes, T first, T second, T (*l)[chunk_size]) const {
     const motion* const from = nodes.node.data();
     for (int k = 0; k < n; ++k) {
       const motion* const at = from + st.base[k];
@@ -384,8 +383,8 @@ private:
         if constexpr (Space::hoop) hoop += v * st.hoop[a][k];
       }
       for (int c = 0; c < dim; ++c)
-        for (int d = 0; d < dim; ++d) l[c * dim + d][k] = g[static_cast<std::size_t>(d)][c] + fraction * g[static_cast<std::size_t>(d)][dim + c];
-      if constexpr (Space::hoop) l[dim * dim][k] = hoop[0] + fraction * hoop[dim];
+        for (int d = 0; d < dim; ++d) l[c * dim + d][k] = first * g[static_cast<std::size_t>(d)][c] + second * g[static_cast<std::size_t>(d)][dim + c];
+      if constexpr (Space::hoop) l[dim * dim][k] = first * hoop[0] + second * hoop[dim];
     }
     for (int c = 0; c < Space::gradient_size; ++c) // the last register of a chunk is read whole
       for (int k = n; k < chunk_size && k < n + native_width<T>; ++k) l[c][k] = T(0);
@@ -451,48 +450,52 @@ private:
     report.kinetic_gain += kinetic_gain;
   }
 
-  /// APIC: velocity and affine field from the grid; what is lost on both ways becomes heat.
+  /// APIC: velocity and affine field from the grid; what is lost on both ways becomes heat:
+  ///   to the grid    1/2 sum N |v_I - v_p - C dx|^2 = 1/2 (sum N |b|^2 - 2 C : M + inertia |C|^2),  b = v_I - v_p, M = sum N b dx^T
+  ///   from the grid  1/2 sum N |v'_I - v'_p - C' dx|^2 = 1/2 (sum N |b'|^2 - |sum N b'|^2 - inertia |C'|^2),  b' = v'_I - v_p
   template <class Columns, class Window>
-  BOLIDE_INLINE void take_affine(Columns& p, std::size_t begin, int k, const stencil_type& st, const Window& nodes, update_report& report) const {
-    const std::size_t i = begin + static_cast<std::size_t>(k);
-    const T m = p.template get<field::mass>()[i], cell = static_cast<T>(h), inertia = cell * cell * T(Shape::inertia);
-    T old_v[dim], old_c[dim][dim];
-    for (int c = 0; c < dim; ++c) {
-      old_v[c] = p.template get<field::velocity>(c)[i];
-      for (int d = 0; d < dim; ++d) old_c[c][d] = p.template get<field::affine_velocity>(c * dim + d)[i] * cell;
-    }
-    // sums relative to the old velocity: differences, not squares of speeds, are summed
-    T v[dim] = {}, moment[dim][dim] = {}, to_grid = 0, square_after = 0;
-    for (int a = 0; a < stencil_type::nodes; ++a) {
-      const T w = st.value[a][k];
-      const motion& at = nodes.node[static_cast<std::size_t>(st.base[k] + stencil_type::offset(a))];
+  BOLIDE_INLINE void take_affine(Columns& p, std::size_t begin, int n, const stencil_type& st, const Window& nodes, update_report& report) const {
+    const T* const mass = p.template get<field::mass>() + begin;
+    T* const specific_energy = p.template get<field::energy>() + begin;
+    const auto velocity = columns_of<field::velocity, dim>(p, begin), carrying = columns_of<field::carrying_velocity, dim>(p, begin);
+    const auto affine = columns_of<field::affine_velocity, dim * dim>(p, begin);
+    const motion* const from = nodes.node.data();
+    const T cell = static_cast<T>(h), inertia = cell * cell * T(Shape::inertia), heat = static_cast<T>(transfer.heat);
+    double kinetic_gain = 0, returned_heat = 0;
+    for (int k = 0; k < n; ++k) {
+      // sums relative to the old velocity: squares of differences, not of speeds
+      const motion old = motion::make([&](int c) { return velocity[static_cast<std::size_t>(c % dim)][k]; });
+      motion mean(T(0)), squares(T(0));
+      std::array<motion, dim> moment;
+      for (auto& m : moment) m = motion(T(0));
+      for (int a = 0; a < stencil_type::nodes; ++a) {
+        const motion b = from[st.base[k] + stencil_type::offset(a)] - old, weighted = b * st.value[a][k];
+        mean += weighted;
+        squares += weighted * b;
+        for (int d = 0; d < dim; ++d) moment[static_cast<std::size_t>(d)] += weighted * (st.distance(k, a, d) * cell);
+      }
+      T kinetic = 0, loss = 0;
       for (int c = 0; c < dim; ++c) {
-        T before = at[c] - old_v[c];
-        const T after = before + at[dim + c];
-        for (int d = 0; d < dim; ++d) before -= old_c[c][d] * st.distance(k, a, d);
-        to_grid += w * before * before;
-        v[c] += w * after;
-        square_after += w * after * after;
-        for (int d = 0; d < dim; ++d) moment[c][d] += w * after * st.distance(k, a, d);
+        const T v = velocity[static_cast<std::size_t>(c)][k], dv = mean[dim + c];
+        kinetic += dv * (v + T(0.5) * dv);
+        loss += squares[c] + squares[dim + c] - dv * dv;
+        velocity[static_cast<std::size_t>(c)][k] = v + dv;
+        carrying[static_cast<std::size_t>(c)][k] = v + dv;
+        for (int d = 0; d < dim; ++d) {
+          T& slope = affine[static_cast<std::size_t>(c * dim + d)][k];
+          const T next = moment[static_cast<std::size_t>(d)][dim + c] / inertia;
+          loss += slope * (inertia * slope - T(2) * moment[static_cast<std::size_t>(d)][c]) - inertia * next * next;
+          kinetic += T(0.5) * inertia * (next * next - slope * slope);
+          slope = next;
+        }
       }
+      loss *= T(0.5) * heat;
+      specific_energy[k] += loss;
+      kinetic_gain += static_cast<double>(mass[k]) * static_cast<double>(kinetic);
+      returned_heat += static_cast<double>(mass[k]) * static_cast<double>(loss);
     }
-    T kinetic = 0, resolved = 0;
-    for (int c = 0; c < dim; ++c) {
-      kinetic += v[c] * (old_v[c] + T(0.5) * v[c]);
-      resolved += v[c] * v[c];
-      p.template get<field::velocity>(c)[i] = old_v[c] + v[c];
-      p.template get<field::carrying_velocity>(c)[i] = old_v[c] + v[c];
-      for (int d = 0; d < dim; ++d) {
-        const T affine = moment[c][d] * cell / inertia;
-        kinetic += T(0.5) * inertia * (affine * affine - old_c[c][d] * old_c[c][d] / (cell * cell));
-        resolved += inertia * affine * affine;
-        p.template get<field::affine_velocity>(c * dim + d)[i] = affine;
-      }
-    }
-    const T loss = T(0.5) * (to_grid + max(square_after - resolved, T(0))) * static_cast<T>(transfer.heat);
-    p.template get<field::energy>()[i] += loss;
-    report.kinetic_gain += static_cast<double>(m) * static_cast<double>(kinetic);
-    report.returned_heat += static_cast<double>(m) * static_cast<double>(loss);
+    report.kinetic_gain += kinetic_gain;
+    report.returned_heat += returned_heat;
   }
 
   template <class Columns, class Back> BOLIDE_INLINE void scatter_velocity_back(const Columns& p, std::size_t begin, int n, const stencil_type& st, Back& win) const {
