@@ -83,6 +83,7 @@ void print_table(const outcome& o) {
               o.particles, o.steps);
   std::printf("%-46s %-5s %10s%s\n", "", "", "here", papers ? "      paper   experiment" : "");
   line("length, plate's rear face to front", "mm", c.length_plate_to_front * 1e3, 2, printed.length, experiment.length);
+  line("length, plate's front face to front", "mm", c.length_impact_face_to_front * 1e3, 2, printed.length, experiment.length);
   line("width (99.9 % of the mass)", "mm", c.width * 1e3, 2, printed.width, experiment.width);
   line("width (99 %)", "mm", c.width_p99 * 1e3, 2);
   line("length, veil to front", "mm", c.length_veil_to_front * 1e3, 2);

@@ -63,7 +63,8 @@ struct debris_cloud {
 
   // ---- lengths, m -----------------------------------------------------------------------------------------------------------
   double front_z = nan;               ///< 99.9 % mass quantile of z of the downstream material
-  double length_plate_to_front = nan; ///< front_z less the z of the plate's rear face: the paper's length
+  double length_plate_to_front = nan; ///< front_z less the z of the plate's rear face
+  double length_impact_face_to_front = nan; ///< front_z less the z of the face that is hit
   double veil_tip_z = nan;            ///< 0.1 % mass quantile of z of the ejecta; the plate's front face where there is none
   double length_veil_to_front = nan;  ///< front_z less veil_tip_z
   double bubble_start_z = nan;        ///< going back from the widest station of the outline, where it has narrowed to
@@ -280,6 +281,7 @@ inline debris_cloud::debris_cloud(const snapshot& s, const impact_scene& scene) 
 
   front_z = c.z.quantile(0.999);
   length_plate_to_front = front_z - scene.plate_rear_z;
+  length_impact_face_to_front = front_z - scene.plate_front_z;
   length_veil_to_front = front_z - veil_tip_z;
   width = 2 * c.r.quantile(0.999);
   width_p99 = 2 * c.r.quantile(0.99);
@@ -311,6 +313,7 @@ inline std::vector<measure> debris_cloud::rows() const {
   const auto mm = [&](const char* name, double value) { out.push_back({name, "mm", value * 1e3}); };
   const auto add = [&](std::string name, const char* unit, double value) { out.push_back({std::move(name), unit, value}); };
   mm("length_plate_to_front_mm", length_plate_to_front);
+  mm("length_impact_face_to_front_mm", length_impact_face_to_front);
   mm("length_veil_to_front_mm", length_veil_to_front);
   mm("bubble_length_mm", bubble_length);
   mm("width_mm", width);
