@@ -4,7 +4,7 @@
 //
 //   kinetic + internal - (initial) = transfer + returned_heat + work_mismatch - left + boundary   up to the residual
 //   kinetic        sum m |v|^2 / 2 (+ the affine part m h^2/8 |C|^2 of APIC)
-//   internal       sum m e = cold + thermal + shear
+//   internal       sum m e (its cold, thermal and elastic shear parts: material.thermodynamics and shear_energy, on demand)
 //   transfer       kinetic energy change of the particles less the work of the nodal forces
 //   returned_heat  APIC's loss put back as heat, particle by particle
 //   work_mismatch  energy gained by the particles' stress work plus the work of the nodal forces
@@ -20,7 +20,7 @@
 namespace bolide {
 
 struct energy_state {
-  double kinetic = 0, internal = 0, cold = 0, thermal = 0, shear = 0; // J
+  double kinetic = 0, internal = 0; // J
   double total() const { return kinetic + internal; }
 };
 
