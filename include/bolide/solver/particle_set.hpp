@@ -107,17 +107,19 @@ template <class T, class Space, class Shape, class Material, class Fields> struc
     bool inside = true;
     for (int d = 0; d < dim; ++d) {
       const T* x = columns.template get<field::position>(d) + r.begin;
-      T low = x[0], high = x[0];
+      T low = x[0], high = x[0], finite = 0; // finite: 0, or NaN where a position is none or infinite (min and max may pass over NaN)
       const std::size_t n = r.end - r.begin;
       std::size_t k = 0;
       if (n >= static_cast<std::size_t>(lane_width<V>)) {
-        V l = load<V>(x), u = l;
+        V l = load<V>(x), u = l, rest = V(T(0));
         for (; k + lane_width<V> <= n; k += lane_width<V>) {
           const V v = load<V>(x + k);
           l = min(l, v);
           u = max(u, v);
+          rest += v - v;
         }
         for (int i = 0; i < lane_width<V>; ++i) {
+          finite += lane(rest, i);
           low = std::min(low, lane(l, i));
           high = std::max(high, lane(u, i));
         }
@@ -125,13 +127,14 @@ template <class T, class Space, class Shape, class Material, class Fields> struc
       for (; k < n; ++k) {
         low = std::min(low, x[k]);
         high = std::max(high, x[k]);
+        finite += x[k] - x[k];
       }
       const T inverse_h = static_cast<T>(1 / h);
       const T first = std::floor(low * inverse_h - T(Shape::offset)), last = std::floor(high * inverse_h - T(Shape::offset));
       const auto at = static_cast<std::size_t>(d);
       const T lo = first - static_cast<T>(r.origin[at]), hi = last - static_cast<T>(r.origin[at]);
       constexpr int least = -grid::window<dim, T>::reach, most = grid::window<dim, T>::stride - grid::window<dim, T>::reach - Shape::support;
-      if (!(lo >= T(least)) || !(hi <= T(most))) inside = false; // NaN is outside
+      if (!(lo >= T(least)) || !(hi <= T(most)) || !(finite == T(0))) inside = false; // NaN is outside
       else {
         r.touched.low[at] = static_cast<int>(lo);
         r.touched.high[at] = static_cast<int>(hi) + Shape::support - 1;

@@ -145,7 +145,7 @@ private:
   long steps_ = 0;
   std::uint64_t particle_steps_ = 0;
   bool started_ = false;
-  double first_dt_ = 0;
+  double first_dt_ = 0, unclipped_dt_ = 0; // the step that was wanted before `most` cut it: growth goes on from there
   step_cause cause_ = step_cause::growth;
   int threads_ = 1;
 
@@ -191,19 +191,20 @@ private:
     sort();
     phases_.initialise_stress();
     phases_.dt = static_cast<T>(controls_.first_step / phases_.limit.rate / controls_.growth);
-    first_dt_ = static_cast<double>(phases_.dt);
+    first_dt_ = unclipped_dt_ = static_cast<double>(phases_.dt);
   }
 
   void choose_step(double most) {
-    const double allowed = 1 / phases_.limit.rate, grown = static_cast<double>(phases_.dt) * controls_.growth;
+    const double allowed = 1 / phases_.limit.rate, grown = unclipped_dt_ * controls_.growth;
     double dt = std::min(allowed, grown);
+    unclipped_dt_ = dt;
     cause_ = allowed <= grown ? phases_.limit.cause : step_cause::growth;
     if (dt >= most) {
       dt = most;
       cause_ = step_cause::end;
     }
     phases_.dt = static_cast<T>(dt);
-    phases_.ignore_below = 1 / (1.01 * controls_.growth * dt);
+    phases_.ignore_below = 1 / (1.01 * controls_.growth * unclipped_dt_);
   }
 
   void check_limit() {
