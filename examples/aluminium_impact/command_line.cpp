@@ -26,15 +26,15 @@ request read_command_line(int argc, char** argv) {
         ->type_name(o.value)
         ->default_str(o.write(defaults))
         ->group(o.group)
-        ->allow_extra_args(false);
+        ->allow_extra_args(false)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast); // of a repeated option the last counts
   std::string config;
   bool quick = false, compare = false, list = false;
   app.add_option("--config", config, "read settings from a JSON file (or an earlier summary.json); the command line goes before it")
       ->type_name("FILE")
       ->group("Output");
   app.add_flag("--compare", compare, "all five equations of state and the experiment, side by side")->group("Output");
-  app.add_flag("--quick", quick, "coarse and short: spacing 0.2mm, cell 0.4mm, until 3us, one frame (what is given goes before)")
-      ->group("Output");
+  app.add_flag("--quick", quick, "coarse: spacing 0.1mm, cell 0.2mm, one frame (what is given goes before)")->group("Output");
   app.add_flag("--list-materials", list, "print the materials and what they have parameters for");
 
   request r;

@@ -138,7 +138,6 @@ std::vector<option> make_options() {
   const std::string scene = "Scene", physics = "Physics", numerics = "Discretisation", output = "Output";
   using str = std::string_view;
   std::vector<option> o;
-  o.push_back(choice("eos", "equation of state", physics, &settings::eos, {std::begin(all_eos), std::end(all_eos)}));
   o.push_back({"projectile", "NAME", "material of the sphere (--list-materials)", scene, true,
                [](settings& s, str text, str) { s.projectile = text; }, [](const settings& s) { return s.projectile; }});
   o.push_back({"target", "NAME", "material of the plate", scene, true, [](settings& s, str text, str) { s.target = text; },
@@ -148,6 +147,7 @@ std::vector<option> make_options() {
   o.push_back(positive("thickness", "LENGTH", "thickness of the plate", scene, dimension::length, &settings::thickness, 1));
   o.push_back(positive("plate-radius", "LENGTH", "radius of the plate", scene, dimension::length, &settings::plate_radius, 10));
   o.push_back(positive("until", "TIME", "end of the run, from first contact", scene, dimension::time, &settings::until, 1));
+  o.push_back(choice("eos", "equation of state", physics, &settings::eos, {std::begin(all_eos), std::end(all_eos)}));
   o.push_back(choice("initial", "state at the start: p = 0 at 293 K, or 0 K", physics, &settings::initial, {"ambient", "cold"}));
   o.push_back({"tension", "PRESSURE|none", "tension at which a point fails; none: only melting fails", physics, true, read_tension,
                [](const settings& s) { return s.tension ? format(*s.tension, dimension::pressure) : std::string("none"); }});
@@ -184,6 +184,7 @@ std::vector<option> make_options() {
                [](const settings& s) { return s.frames ? std::to_string(*s.frames) : std::string("auto"); }});
   o.push_back(
       {"fields", "LIST|all", "fields in the ParaView files", output, true, read_fields, [](const settings& s) { return s.fields; }});
+  o.push_back(choice("pictures", "draw the cloud and the radiograph", output, &settings::pictures, {"all", "none"}));
   o.push_back({"out", "DIR", "folder of the results", output, false,
                [](settings& s, str text, str label) {
                  if (text.empty()) throw bad_parameter(quoted(label, text) + "must name a folder");

@@ -121,7 +121,7 @@ int run_many(const settings& s) {
   write_statistics(out / (kind + ".json"), groups);
   std::vector<outcome> drawn;
   for (group& g : groups) drawn.push_back(std::move(g.front()));
-  if (s.compare) {
+  if (s.compare && s.pictures == "all") {
     write_comparison_picture(out / "compare.png", drawn);
     std::printf("%s\n", (out / "compare.png").string().c_str());
   }

@@ -39,6 +39,7 @@ struct settings {
   // the output
   std::optional<int> frames; // ParaView frames after the first; empty: one every 0.6 us
   std::string fields = "velocity,density,pressure,temperature,melt_fraction,region,failed,void_fraction,plastic_strain,peak_pressure";
+  std::string pictures = "all"; // or none
   std::string out = "aluminium_impact_out";
   bool compare = false; // all equations of state, side by side
   int ensemble = 1;     // jitter seeds
@@ -46,9 +47,8 @@ struct settings {
 
 /// Coarser lattice and grid, one ParaView frame: the same cloud in seconds.
 inline void make_quick(settings& s) {
-  s.spacing = 0.2 * bolide::unit::mm;
-  s.cell = 0.4 * bolide::unit::mm;
-  s.until = 3 * bolide::unit::us;
+  s.spacing = 0.1 * bolide::unit::mm;
+  s.cell = 0.2 * bolide::unit::mm;
   s.frames = 1;
 }
 
