@@ -90,6 +90,7 @@
 #include "bolide/observe/csv.hpp"
 #include "bolide/observe/debris_cloud.hpp"
 #include "bolide/observe/draw.hpp"
+#include "bolide/observe/every.hpp"
 #include "bolide/observe/image.hpp"
 #include "bolide/observe/picture.hpp"
 #include "bolide/observe/progress.hpp"

@@ -8,8 +8,11 @@
 // step falls below its floor, the total energy leaves its bound, or the step cap is reached.
 #pragma once
 
+#include "bolide/concepts/observer.hpp"
+#include "bolide/concepts/scheme.hpp"
 #include "bolide/concepts/shape_function.hpp"
 #include "bolide/concepts/space.hpp"
+#include "bolide/concepts/transfer.hpp"
 #include "bolide/material/material.hpp"
 #include "bolide/particles/geometry.hpp"
 #include "bolide/scheme/musl.hpp"
@@ -47,6 +50,9 @@ template <class T, class Space, class Shape, class Transfer, class Scheme, class
   static_assert(bolide::Space<Space>, "bolide: solver: the first argument is no space: see concepts/space.hpp");
   static_assert(bolide::ShapeFunction<Shape>, "bolide: solver: the third argument is no shape function: it must have support, offset, smooth, value, slope "
                                               "and curvature");
+  static_assert(bolide::Transfer<Transfer>, "bolide: solver: the fourth argument is no transfer: it must have particle_fields, affine, wants_smooth_shape and "
+                                            "name, and, if it is affine, heat and field::affine_velocity among its fields");
+  static_assert(bolide::Scheme<Scheme>, "bolide: solver: the fifth argument is no scheme: it must have particle_fields, stress_first, name and step(phases)");
   static_assert(!Transfer::wants_smooth_shape || Shape::smooth,
                 "bolide: solver: APIC with linear shape functions is unsound (its affine field is amplified at nodes of tiny mass); take "
                 "shape::quadratic_bspline, or transfer::flip");
@@ -97,6 +103,8 @@ public:
   /// Runs to time `until` (s). Each observer is called as watch(*this) at the start, after every step, and with finish(*this) at the end.
   template <class... Observers> void run(double until, Observers&&... observers) {
     require(until >= 0 && until < 1e9, "end time", until, "non-negative and finite", "s");
+    static_assert((bolide::Observer<std::remove_cvref_t<Observers>, solver> && ...),
+                  "bolide: solver: run: an observer must have watch(solver) and finish(solver)");
     if (!started_) start();
     (observers.watch(*this), ...);
     while (time_ < until * (1 - 1e-12)) {
