@@ -277,7 +277,7 @@ private:
     using T = scalar_t<V>;
     if constexpr (!Viscosity::present) return false;
     else {
-      auto active = Space::magnitude(l) * step.dt > V(std::numeric_limits<T>::epsilon() / 2);
+      auto active = !(Space::magnitude(l) * step.dt <= V(std::numeric_limits<T>::epsilon() / 2)); // NaN is not at rest
       if constexpr (Failure::may_fail) active = active || load<V>(p.template get<field::failed>() + at) > V(T(0));
       if (step.dt == T(0) || any(active && first_lanes<V>(n))) return false;
       const V c = load<V>(p.template get<field::sound_speed>() + at);
@@ -294,6 +294,7 @@ private:
   BOLIDE_INLINE void limit_step(const Columns& p, std::size_t at, int n, const typename Space::template gradient<V>& l, V divergence, V wave2, V sound_speed,
                                 const step_context<scalar_t<V>>& step, update_report& report) const {
     using T = scalar_t<V>;
+    if (!(report.limit.rate == report.limit.rate)) return; // NaN was found before: its particle is the one to name
     const V q_speed = select(wave2 > V(T(0)), viscosity.signal_speed(sound_speed, divergence, step.cell), V(T(0)));
     V v2 = V(T(0));
     for (int d = 0; d < Space::dim; ++d) v2 = v2 + square(load<V>(p.template get<field::velocity>(d) + at));
@@ -304,7 +305,7 @@ private:
     if (!any(!slow && first_lanes<V>(n))) return;
     const V signal = q_speed + sqrt(q_speed * q_speed + wave2), speed = sqrt(v2);
     const V travel = (signal + speed) * per_speed;
-    const V wanted = max(travel, strain);
+    const V wanted = max(strain, travel); // in this order NaN stays NaN
     const T best = static_cast<T>(report.limit.rate);
     if (!any(!(wanted <= V(best)) && first_lanes<V>(n))) return; // NaN counts as too fast
     for (int i = 0; i < n; ++i) {

@@ -26,7 +26,7 @@ public:
     T lanes[Space::gradient_size][chunk_size] = {};
     for (std::size_t c = 0; c < l.size(); ++c) lanes[c][0] = static_cast<T>(l[c]);
     update_report report;
-    const step_context<T> step{static_cast<T>(dt), static_cast<T>(cell), static_cast<T>(courant), true};
+    const step_context<T> step{static_cast<T>(dt), static_cast<T>(cell), static_cast<T>(courant), T(0), true};
     material_.template update<Space>(p, 0, 1, lanes, step, report);
     if (with_work) material_.template work<Space>(p, 0, 1, lanes, static_cast<T>(dt), report);
     return report;
