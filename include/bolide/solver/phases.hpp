@@ -213,7 +213,9 @@ private:
     for_each_set([&](auto& s) {
       for (const auto& colour : s.by_colour) {
         const auto count = static_cast<std::int64_t>(colour.size());
+#if defined(_OPENMP)
 #pragma omp parallel for schedule(dynamic, 4) if (static_cast<std::int64_t>(s.columns.size()) > worth_threads)
+#endif
         for (std::int64_t i = 0; i < count; ++i) {
           const auto r = static_cast<std::size_t>(colour[static_cast<std::size_t>(i)]);
           f(s, s.ranges[r], reports_[first + r]);
@@ -264,7 +266,9 @@ private:
   /// f(node) for every node of the touched blocks.
   template <class F> void each_node(F&& f) {
     const auto n = static_cast<std::int64_t>(touched_.size());
+#if defined(_OPENMP)
 #pragma omp parallel for schedule(static) if (n * map::nodes_per_block > 2 * worth_threads)
+#endif
     for (std::int64_t b = 0; b < n; ++b) {
       const std::size_t first = static_cast<std::size_t>(touched_[static_cast<std::size_t>(b)]) * map::nodes_per_block;
       for (std::size_t i = first; i < first + map::nodes_per_block; ++i) f(i);
