@@ -49,6 +49,7 @@ void print_groups(const std::vector<group>& groups) {
     int digits;
     double unit;
   } columns[] = {{"length_plate_to_front_mm", "length", 2, 1},
+                 {"length_impact_face_to_front_mm", "from face", 2, 1},
                  {"width_mm", "width", 2, 1},
                  {"width_p99_mm", "width 99%", 2, 1},
                  {"hole_diameter_mm", "hole", 2, 1},
@@ -73,7 +74,7 @@ void print_groups(const std::vector<group>& groups) {
   }
   if (papers && groups.size() > 1)
     std::printf("(the paper prints one row for its new equation of state, of which paper, mixed and helm are variants)\n");
-  std::printf("\n");
+  std::printf("length: from the plate's rear face to the front; from face: from the face that is hit; width: 99.9 %% of the mass\n\n");
 }
 
 void write_csv(const fs::path& path, const std::vector<group>& groups) {
