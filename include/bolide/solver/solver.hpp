@@ -76,7 +76,11 @@ public:
 
   /// Adds a mirror plane (symmetry plane, slip wall). Before the first step.
   solver& add(const grid::mirror& m) {
-    phases_.mirrors.emplace_back(m, phases_.h);
+    const grid::mirror_nodes<dim> plane(m, phases_.h);
+    for (const auto& other : phases_.mirrors) // closer ones would have image nodes of images
+      require(other.axis() != plane.axis() || std::abs(other.line() - plane.line()) >= 3, "distance of two mirrors of one axis",
+              std::abs(other.line() - plane.line()) * phases_.h, "at least three cells", "m");
+    phases_.mirrors.push_back(plane);
     return *this;
   }
   /// Lets material leave through a box. Before the first step.
