@@ -31,6 +31,7 @@ template <class Eos> struct start {
   Eos eos;
   initial_state state;
 };
+template <class Eos> start(Eos, initial_state) -> start<Eos>;
 inline auto mie_grueneisen() {
   return start{eos::isentrope_temperature{eos::mie_grueneisen{{.constant_gamma = true}}}, initial_state{2785, 0}};
 }

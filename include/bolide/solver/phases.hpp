@@ -141,7 +141,7 @@ public:
   /// Work of the nodal forces to the particles, stress where it is updated last, and motion.
   void work_and_move() {
     if constexpr (!Scheme::stress_first) start_report();
-    sweep([this](auto& set, auto& range, update_report& report) {
+    sweep([&](auto& set, auto& range, update_report& report) {
       if constexpr (!Transfer::affine || !Scheme::stress_first)
         gather(motion_, range, [&](auto& nodes) {
           chunks<wants::gradients>(set, range, [&](std::size_t begin, int n, const stencil_type& st) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A mirror plane against the obvious reference: the same particles together with their mirror images on a grid without a plane.
 #include "bolide/grid/mirror.hpp"
-#include "bolide/core/algebra.hpp"
+#include "bolide/core/lane.hpp"
 #include "bolide/shape/linear.hpp"
 #include "bolide/shape/quadratic_bspline.hpp"
 
@@ -13,7 +13,7 @@ namespace bolide::grid {
 namespace {
 
 using map2 = block_map<2>;
-using values = node_values<double, 4>; // m, P_0, P_1, unused
+using values = pack<double, 4>; // m, P_0, P_1, unused
 
 struct point {
   double x[2], v[2];
@@ -32,7 +32,7 @@ template <class Shape> void add(const map2& map, std::vector<values>& sums, cons
       ASSERT_GE(node, 0);
       const double w = n[0][i] * n[1][j];
       values& s = sums[static_cast<std::size_t>(node)];
-      s[0] += w, s[1] += w * p.v[0], s[2] += w * p.v[1];
+      for (int c = 0; c < 3; ++c) s.set(c, s[c] + w * (c == 0 ? 1 : p.v[c - 1]));
     }
 }
 
@@ -62,7 +62,7 @@ TYPED_TEST(Mirror, GivesWhatParticlesAndTheirImagesGive) {
     std::vector<cell_index<2>> blocks;
     for (const auto& p : all) blocks.push_back(map2::block_of({static_cast<std::int32_t>(std::floor(p.x[0])), static_cast<std::int32_t>(std::floor(p.x[1]))}));
     map.rebuild(blocks);
-    std::vector<values> ours(map.size() * map2::nodes_per_block, values::Zero()), reference = ours;
+    std::vector<values> ours(map.size() * map2::nodes_per_block, values(0)), reference = ours;
     for (const auto& p : real) add<TypeParam>(map, ours, p);
     for (const auto& p : all) add<TypeParam>(map, reference, p);
     mirror_nodes<2> m(plane, 1.0);
@@ -101,7 +101,7 @@ TYPED_TEST(Mirror, TwoPlanesFoldIntoACorner) {
   }
   map2 map;
   map.rebuild({{0, 0}, {-1, -1}});
-  std::vector<values> ours(map.size() * map2::nodes_per_block, values::Zero()), reference = ours;
+  std::vector<values> ours(map.size() * map2::nodes_per_block, values(0)), reference = ours;
   for (const auto& p : real) add<TypeParam>(map, ours, p);
   for (const auto& p : all) add<TypeParam>(map, reference, p);
   std::vector<mirror_nodes<2>> mirrors;
