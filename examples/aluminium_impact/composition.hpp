@@ -89,6 +89,7 @@ private:
     controls<T> c;
     c.courant = s.cfl;
     c.threads = s.threads;
+    c.step_cap = s.step_cap;
     return solver_type{space::axisymmetric{}, grid::sparse{s.cell}, Shape{}, Transfer{}, Scheme{}, c, projectile, target};
   }
 

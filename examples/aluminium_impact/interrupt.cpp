@@ -13,7 +13,7 @@ extern "C" void note_signal(int number) { signal_that_came = number; }
 void catch_interrupts() {
   struct sigaction action {};
   action.sa_handler = note_signal;
-  action.sa_flags = SA_RESETHAND | SA_RESTART; // the second signal has its usual effect
+  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART); // the second signal has its usual effect
   for (const int number : {SIGINT, SIGTERM}) sigaction(number, &action, nullptr);
 }
 

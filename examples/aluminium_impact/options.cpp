@@ -180,6 +180,9 @@ std::vector<option> make_options() {
   o.push_back({"threads", "N", "threads; 0: all there are", numerics, true,
                [](settings& s, str text, str label) { s.threads = whole<int>(text, label, 0, 1024); },
                [](const settings& s) { return std::to_string(s.threads); }});
+  o.push_back({"step-cap", "N", "a run that needs more steps is stopped", numerics, true,
+               [](settings& s, str text, str label) { s.step_cap = whole<long>(text, label, 1, 1'000'000'000'000); },
+               [](const settings& s) { return std::to_string(s.step_cap); }});
   o.push_back({"frames", "N|auto", "ParaView frames after the first; auto: every 0.6us; 0: no ParaView files", output, true, read_frames,
                [](const settings& s) { return s.frames ? std::to_string(*s.frames) : std::string("auto"); }});
   o.push_back(

@@ -65,7 +65,8 @@ std::vector<statistic> statistics(const std::vector<outcome>& members) {
 
 namespace {
 void line(const char* what, const char* unit, double value, int digits, double printed = std::nan(""), double measured = std::nan("")) {
-  std::printf("%-46s %-5s %10.*f", what, unit, digits, value);
+  if (std::isnan(value)) std::printf("%-46s %-5s %10s", what, unit, "-"); // such as a front where nothing is downstream
+  else std::printf("%-46s %-5s %10.*f", what, unit, digits, value);
   if (!std::isnan(printed)) std::printf(" %10.1f %12.1f", printed, measured);
   std::printf("\n");
 }

@@ -116,6 +116,7 @@ int run_many(const settings& s) {
     if (!g.empty()) groups.push_back(std::move(g));
     if (interrupted()) break;
   }
+  if (groups.empty()) return 128 + interrupted(); // before the first run
   const std::string kind = s.compare ? "compare" : "ensemble";
   print_groups(groups);
   write_csv(out / (kind + ".csv"), groups);

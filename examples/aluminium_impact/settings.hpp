@@ -35,7 +35,8 @@ struct settings {
   double jitter = 0; // of the spacing
   std::uint64_t seed = 1;
   std::optional<box_limits> box;
-  int threads = 0; // all there are
+  int threads = 0;            // all there are
+  long step_cap = 10'000'000; // a run that needs more steps is stopped
   // the output
   std::optional<int> frames; // ParaView frames after the first; empty: one every 0.6 us
   std::string fields = "velocity,density,pressure,temperature,melt_fraction,region,failed,void_fraction,plastic_strain,peak_pressure";

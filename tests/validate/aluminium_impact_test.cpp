@@ -114,6 +114,7 @@ TEST_F(AluminiumImpact, BadValuesAreRefusedWithASentenceAndNothingIsWritten) {
       {"--box 60mm,40mm,-40mm", {"--box", "z_max", "z_min = 40mm"}},
       {"--box 60,-40,80", {"--box", "no unit"}},
       {"--threads -1", {"--threads", "-1", "0 to 1024"}},
+      {"--step-cap 0", {"--step-cap", "0", "whole number from 1"}},
       {"--frames many", {"--frames", "many", "whole number"}},
       {"--fields velocity,colour", {"--fields", "colour", "temperature"}},
       {"--ensemble 0", {"--ensemble", "0", "1 to 1000"}},
@@ -412,6 +413,27 @@ TEST_F(AluminiumImpact, EnsembleGivesMeanAndScatter) {
   EXPECT_GT(deviation, 0);
   EXPECT_NEAR(e["measures"]["width_mm"]["standard_deviation"].get<double>(), deviation, 1e-6 * deviation);
   expect_names(a.out, {"+-"});
+}
+
+TEST_F(AluminiumImpact, NothingDownstreamIsNoNumberAndNoFailure) {
+  const auto a = run(coarse + "--until 0.1us --velocity 100m/s");
+  EXPECT_EQ(a.code, 0) << a.err;
+  EXPECT_TRUE(summary()["length_plate_to_front_mm"].is_null());
+  EXPECT_EQ(a.out.find("nan"), std::string::npos);
+}
+
+// ---- stopped --------------------------------------------------------------------------------------------------------------------------
+
+TEST_F(AluminiumImpact, StoppedRunSaysWhyAndLeavesValidFiles) {
+  const auto a = run(coarse + "--step-cap 20");
+  EXPECT_EQ(a.code, 3);
+  expect_names(a.err, {"stopped at step 20", "step cap of 20", "particle", "position", "pressure"});
+  const json s = summary();
+  EXPECT_EQ(s["status"], "stopped");
+  EXPECT_EQ(s["steps"], 20);
+  expect_names(s["message"], {"step cap of 20"});
+  expect_names(read(folder / "out/particles.pvd"), {"particles_0001.vtu", "</VTKFile>"});
+  EXPECT_TRUE(fs::exists(folder / "out/cloud_phase.png"));
 }
 
 // ---- interrupted ----------------------------------------------------------------------------------------------------------------------
