@@ -42,7 +42,8 @@ template <class Eos, class V> void evaluate(benchmark::State& state, const Eos& 
     benchmark::DoNotOptimize(c2.data());
     benchmark::ClobberMemory();
   }
-  state.counters["per_state"] = benchmark::Counter(static_cast<double>(n), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["per_state"] =
+      benchmark::Counter(static_cast<double>(n), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 template <class Eos> void add(const std::string& name, const Eos& eos) {

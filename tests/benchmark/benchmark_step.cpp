@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Cost of a step, in ns per particle, for the compositions of the library: {linear FLIP, B-spline FLIP, B-spline APIC} x {USF, MUSL} x
-// {double, float}, one thread; the rows "fluid" have a material that costs next to nothing. See docs/performance.md for how to run it and what it gave.
+// {double, float}, one thread; the rows "fluid" have a material that costs next to nothing. See
+// docs/performance.md for how to run it and what it gave.
 //
 // Scene: an aluminium block of 100 x 200 particles in r-z, 2 x 2 per cell, that flies at 2 km/s and is compressed at 2e5 /s along both
 // axes: every particle has viscosity, plastic flow and a strain rate, and changes cell and block. Every 200 steps the scene starts anew,
@@ -31,11 +32,16 @@ using point = vec<double, 2>;
 
 /// What the aluminium impact is made of by default.
 struct aluminium {
-  static auto make() { return material{eos::grover{cold::tabulated{cold::cai_ye{}}, phase::mixed{}}, strength::johnson_cook{}, failure::tension_or_melt{}}; }
+  static auto make() {
+    return material{eos::grover{cold::tabulated{cold::cai_ye{}}, phase::mixed{}}, strength::johnson_cook{}, failure::tension_or_melt{}};
+  }
 };
 /// The cheapest material: what is left of the cost is that of the sweeps. The inner pressure gives it aluminium's sound speed.
 struct fluid {
-  static auto make() { return material{eos::stiffened_gas({.gamma = 4.4, .p_inf = 17e9, .rho0 = 2700}), strength::none{}, failure::none{}, viscosity::none{}}; }
+  static auto make() {
+    const eos::stiffened_gas model({.gamma = 4.4, .p_inf = 17e9, .rho0 = 2700});
+    return material{model, strength::none{}, failure::none{}, viscosity::none{}};
+  }
 };
 
 template <class Material, class T, class Shape, class Transfer, class Scheme> auto scene() {

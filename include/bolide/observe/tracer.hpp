@@ -51,7 +51,8 @@ class tracer {
   template <class Solver> void open(const Solver& sim) {
     require(ids_.back() < sim.particle_count(), "particle of the tracer " + path_.string(), ids_.back(),
             "below the number of particles, " + std::to_string(sim.particle_count()));
-    const std::vector<std::string> axes = Solver::space::hoop ? std::vector<std::string>{"r", "z"} : std::vector<std::string>{"x", "y", "z"};
+    using names = std::vector<std::string>;
+    const names axes = Solver::space::hoop ? names{"r", "z"} : names{"x", "y", "z"};
     std::vector<std::string> header{"time (s)", "step", "id", "body"};
     for (std::size_t d = 0; d < Solver::dim; ++d) header.push_back(axes[d] + " (m)");
     for (std::size_t d = 0; d < Solver::dim; ++d) header.push_back("v_" + axes[d] + " (m/s)");

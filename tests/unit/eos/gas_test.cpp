@@ -24,7 +24,8 @@ TYPED_TEST(Gases, SoundSpeedIsThePressureDerivative) {
       const double rho = eta * eos.reference_density(), dr = 1e-5 * rho, de = 1e-5 * e;
       const auto p = [&](double r, double energy) { return eos.evaluate(r, energy).pressure; };
       const double p_rho = (p(rho + dr, e) - p(rho - dr, e)) / (2 * dr), p_e = (p(rho, e + de) - p(rho, e - de)) / (2 * de);
-      expect_close(eos.evaluate(rho, e).sound_speed_squared, p_rho + p(rho, e) * p_e / (rho * rho), 1e-6, 0, "c^2 at eta " + std::to_string(eta));
+      expect_close(eos.evaluate(rho, e).sound_speed_squared, p_rho + p(rho, e) * p_e / (rho * rho), 1e-6, 0,
+                   "c^2 at eta " + std::to_string(eta));
     }
 }
 

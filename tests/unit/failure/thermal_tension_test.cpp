@@ -19,7 +19,9 @@ TYPED_TEST(ThermalTension, FallsLinearlyToNothingAtMelting) {
   EXPECT_TRUE((Failure<failure::thermal_tension, V>));
   const failure::thermal_tension law(2e9);
   const V melting(1000), fraction(0);
-  const auto fails = [&](double p, double t) { return law.fails(V(static_cast<scalar_t<V>>(p)), V(static_cast<scalar_t<V>>(t)), melting, fraction); };
+  const auto fails = [&](double p, double t) {
+    return law.fails(V(static_cast<scalar_t<V>>(p)), V(static_cast<scalar_t<V>>(t)), melting, fraction);
+  };
   for (const double t : {0.0, 250.0, 500.0, 900.0}) {
     const double limit = 2e9 * (1 - t / 1000);
     EXPECT_FALSE(any(fails(-0.999 * limit, t))) << t;
@@ -50,7 +52,8 @@ TEST(ThermalTensionLaw, ChecksItsParameters) {
 /// In a solver: a weaker law fails more particles, and the books close.
 TEST(ThermalTensionLaw, WorksInAnImpact) {
   const auto failed = [](double limit) {
-    const material al{eos::isentrope_temperature{eos::mie_grueneisen{{.constant_gamma = true}}}, strength::johnson_cook{}, failure::thermal_tension{limit}};
+    const eos::isentrope_temperature model{eos::mie_grueneisen{{.constant_gamma = true}}};
+    const material al{model, strength::johnson_cook{}, failure::thermal_tension{limit}};
     auto sim = test::small_impact<test::bspline_apic_usf>(al);
     sim.run(0.25 * unit::us);
     EXPECT_LT(std::abs(sim.energies().residual()), 1e-12);

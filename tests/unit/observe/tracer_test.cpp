@@ -40,7 +40,8 @@ TEST(Tracer, FollowsItsParticlesThroughEverySort) {
   const auto rows = read_rows(at.path / "gauge.csv");
   ASSERT_EQ(rows.size(), 1u + 2 * 5); // header; two particles at 0, 0.05, 0.1, 0.15 and 0.2 us
   EXPECT_EQ(gauge.rows(), 10u);
-  EXPECT_EQ(rows[0], (std::vector<std::string>{"time (s)", "step", "id", "body", "r (m)", "z (m)", "v_r (m/s)", "v_z (m/s)", "density (kg/m3)", "energy (J/kg)",
+  EXPECT_EQ(rows[0], (std::vector<std::string>{"time (s)", "step", "id", "body", "r (m)", "z (m)", "v_r (m/s)", "v_z (m/s)",
+                                               "density (kg/m3)", "energy (J/kg)",
                                                "pressure (Pa)", "temperature (K)"}));
   for (int k = 0; k < 5; ++k) { // the first step on or after the time asked for
     const double t = std::stod(rows[static_cast<std::size_t>(1 + 2 * k)][0]) / us;
