@@ -84,7 +84,6 @@
 #include "bolide/material/material.hpp"
 #include "bolide/material/report.hpp"
 
-#include "bolide/observe/take_snapshot.hpp" // first: axes.hpp has a name of its own for "field"
 #include "bolide/observe/axes.hpp"
 #include "bolide/observe/color_map.hpp"
 #include "bolide/observe/csv.hpp"
@@ -97,6 +96,7 @@
 #include "bolide/observe/radiograph.hpp"
 #include "bolide/observe/snapshot.hpp"
 #include "bolide/observe/stroke_font.hpp"
+#include "bolide/observe/take_snapshot.hpp"
 #include "bolide/observe/tracer.hpp"
 #include "bolide/observe/vtk.hpp"
 #include "bolide/observe/weighted_quantile.hpp"

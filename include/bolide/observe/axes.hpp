@@ -28,7 +28,7 @@ struct window {
 };
 
 /// A window on a field of pixels.
-struct field {
+struct plot_field {
   window space;
   int x = 0, y = 0, width = 0, height = 0; // pixels, upper left corner and size
   double pixels_per_metre() const { return width / space.width(); }
@@ -67,7 +67,7 @@ struct axis_labels {
 };
 
 /// Frame, ticks, numbers (mm) and labels around a field; `text` is the height of capitals.
-inline void draw_axes(image& on, const field& f, const axis_labels& labels, double text) {
+inline void draw_axes(image& on, const plot_field& f, const axis_labels& labels, double text) {
   const int line = std::max(1, static_cast<int>(text / 8 + 0.5));
   const double tick = 0.45 * text, mm = 1e-3;
   // about one number for every seven heights of text, the same step on both axes
@@ -91,7 +91,7 @@ inline void draw_axes(image& on, const field& f, const axis_labels& labels, doub
 }
 
 /// Dash-dot line along vertical = 0, the axis of symmetry.
-inline void draw_symmetry_axis(image& on, const field& f, double text) {
+inline void draw_symmetry_axis(image& on, const plot_field& f, double text) {
   const double y = f.row(0), dash = 1.6 * text, gap = 0.5 * text;
   if (y < f.y || y > f.y + f.height) return;
   for (double x = f.x; x < f.x + f.width; x += dash + 2 * gap + 1) {
@@ -113,7 +113,7 @@ inline double color_bar_width(double low, double high, double text) {
 }
 
 /// A colour bar at the right of a field, with numbers and an upright label.
-inline void draw_color_bar(image& on, const field& f, const color_map& map, double low, double high, const std::string& label,
+inline void draw_color_bar(image& on, const plot_field& f, const color_map& map, double low, double high, const std::string& label,
                            double text) {
   const int x = f.x + f.width + static_cast<int>(1.8 * text), width = static_cast<int>(1.5 * text);
   const int line = std::max(1, static_cast<int>(text / 8 + 0.5));
@@ -152,7 +152,7 @@ inline double draw_legend(image& on, int x, double row, const legend_entries& en
 }
 
 /// A bar of a round length in the lower right corner of a field.
-inline void draw_scale_bar(image& on, const field& f, double text, rgb color) {
+inline void draw_scale_bar(image& on, const plot_field& f, double text, rgb color) {
   const double length = nice_step(f.space.width(), 7), pixels = length * f.pixels_per_metre();
   const double right = f.x + f.width - 1.6 * text, y = f.y + f.height - 1.6 * text;
   const int thick = std::max(2, static_cast<int>(text / 3));

@@ -245,7 +245,7 @@ class nearest_particle {
 };
 
 /// The particles alone, on what is already drawn in the field.
-inline void draw_particles(image& on, const field& f, const snapshot& s, const coloring& c, double least_radius) {
+inline void draw_particles(image& on, const plot_field& f, const snapshot& s, const coloring& c, double least_radius) {
   constexpr int fine = 3;
   const section at(s);
   nearest_particle nearest(fine * f.width, fine * f.height);
@@ -274,11 +274,11 @@ inline void draw_particles(image& on, const field& f, const snapshot& s, const c
     }
 }
 
-inline void draw_curve(image& on, const field& f, const curve& line, bool mirrored, double width) {
+inline void draw_curve(image& on, const plot_field& f, const curve& line, bool mirrored, double width) {
   image layer(f.width, f.height); // drawn on a copy of the field, so that the curve ends at its border
   for (int y = 0; y < f.height; ++y)
     for (int x = 0; x < f.width; ++x) layer(x, y) = on(f.x + x, f.y + y);
-  const field local{f.space, 0, 0, f.width, f.height};
+  const plot_field local{f.space, 0, 0, f.width, f.height};
   for (const double side : {1.0, -1.0}) {
     if (side < 0 && !mirrored) break;
     std::vector<pen_segment> way;
@@ -315,7 +315,7 @@ inline image draw_panel(const panel& p, const window& space, const picture_style
     if (!c.label.empty()) lines.emplace_back(c.label, c.color);
   const double side = values ? color_bar_width(colors.low, colors.high, text)
                              : std::max({2 * text, legend_width(colors.legend, text), legend_width(lines, text)});
-  const field f{space, static_cast<int>(6.6 * text), static_cast<int>(3.6 * text), style.width, height};
+  const plot_field f{space, static_cast<int>(6.6 * text), static_cast<int>(3.6 * text), style.width, height};
   image on(f.x + f.width + static_cast<int>(side), f.y + f.height + static_cast<int>(6 * text));
 
   if (s.axisymmetric) draw_symmetry_axis(on, f, text);

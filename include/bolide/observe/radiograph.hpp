@@ -140,7 +140,7 @@ inline image draw_radiograph(const snapshot& s, const window& space, const std::
   require(style.width >= 100, "width of a panel", style.width, "at least 100", "pixels");
   const double text = style.text;
   const int height = std::max(1, static_cast<int>(style.width * space.height() / space.width() + 0.5));
-  const field f{space, static_cast<int>(6.6 * text), static_cast<int>(3.6 * text), style.width, height};
+  const plot_field f{space, static_cast<int>(6.6 * text), static_cast<int>(3.6 * text), style.width, height};
   areal_density film = project(s, space, f.width, f.height, options.spread);
   for (double& v : film.value) v = std::exp(-options.mu * v);
   detail::blur(film.value, film.columns, film.rows, options.unsharpness * f.pixels_per_metre());

@@ -72,11 +72,11 @@ class tracer {
   template <class Solver, class Set> void row(const Solver& sim, const Set& set, std::size_t i) {
     const auto& p = set.columns;
     std::vector<csv_cell> cells{sim.time(), sim.steps(), p.id()[i], set.name};
-    for (int d = 0; d < Solver::dim; ++d) cells.emplace_back(p.template get<bolide::field::position>(d)[i]);
-    for (int d = 0; d < Solver::dim; ++d) cells.emplace_back(p.template get<bolide::field::velocity>(d)[i]);
-    cells.emplace_back(static_cast<double>(p.template get<bolide::field::mass>()[i]) / set.material.material_volume(p, i));
-    cells.emplace_back(p.template get<bolide::field::energy>()[i]);
-    cells.emplace_back(p.template get<bolide::field::pressure>()[i]);
+    for (int d = 0; d < Solver::dim; ++d) cells.emplace_back(p.template get<field::position>(d)[i]);
+    for (int d = 0; d < Solver::dim; ++d) cells.emplace_back(p.template get<field::velocity>(d)[i]);
+    cells.emplace_back(static_cast<double>(p.template get<field::mass>()[i]) / set.material.material_volume(p, i));
+    cells.emplace_back(p.template get<field::energy>()[i]);
+    cells.emplace_back(p.template get<field::pressure>()[i]);
     if constexpr (std::remove_cvref_t<decltype(set.material)>::thermal) cells.emplace_back(set.material.thermodynamics(p, i).temperature);
     else cells.emplace_back("");
     table_->row(cells);
