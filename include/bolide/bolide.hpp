@@ -109,6 +109,7 @@
 #include "bolide/scheme/musl.hpp"
 #include "bolide/scheme/usf.hpp"
 
+#include "bolide/shape/cubic_bspline.hpp"
 #include "bolide/shape/linear.hpp"
 #include "bolide/shape/quadratic_bspline.hpp"
 

@@ -9,6 +9,6 @@ struct nearest_node {
   static constexpr bool smooth = false;
   template <class V> static void value(V, V* n) { n[0] = V(1); }
   template <class V> static void slope(V, V* d) { d[0] = V(0); }
-  template <class V> static void curvature(V* c) { c[0] = V(0); }
+  template <class V> static void curvature(V, V* c) { c[0] = V(0); }
 };
 static_assert(bolide::ShapeFunction<nearest_node> && bolide::ShapeFunction<nearest_node, bolide::native_pack<float>>);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The role "shape function": how does a particle see the nodes along one axis? (Axes multiply.)
 //
-// `support` nodes from floor(x - offset), x in cells; value(f, N), slope(f, dN/dx) and curvature(d2N/dx2) for f = x - first node,
+// `support` nodes from floor(x - offset), x in cells; value(f, N), slope(f, dN/dx) and curvature(f, d2N/dx2) for f = x - first node,
 // per lane type. Invariants (tested for every model): partition of unity, sum N i = x (linear completeness), N >= 0,
 // the derivatives are the derivatives.
 #pragma once
@@ -19,7 +19,7 @@ concept ShapeFunction = requires(V f, V* n) {
   { S::smooth } -> std::convertible_to<bool>;
   S::value(f, n);
   S::slope(f, n);
-  S::curvature(n);
+  S::curvature(f, n);
 };
 
 } // namespace bolide

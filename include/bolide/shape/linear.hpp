@@ -27,7 +27,7 @@ struct linear {
     d[0] = V(-1);
     d[1] = V(1);
   }
-  template <class V> BOLIDE_INLINE static void curvature(V* c) { c[0] = c[1] = V(0); }
+  template <class V> BOLIDE_INLINE static void curvature(V, V* c) { c[0] = c[1] = V(0); }
 };
 
 } // namespace bolide::shape

@@ -27,7 +27,7 @@ struct quadratic_bspline {
     d[1] = T(-2) * (f - T(1));
     d[2] = f - T(0.5);
   }
-  template <class V> BOLIDE_INLINE static void curvature(V* c) {
+  template <class V> BOLIDE_INLINE static void curvature(V, V* c) {
     c[0] = c[2] = V(1);
     c[1] = V(-2);
   }

@@ -47,9 +47,9 @@ template <class T, class Space, class Shape> struct stencil {
 
   /// N_t - N = (l^2/2) N'', where it raises a weight limited to the weight itself (equal to it on a lattice of 2, 4 ... points per cell): a
   /// node that hardly sees the particle must not take a force without mass. What is raised is taken from the nodes of negative N''.
-  template <class V> static BOLIDE_INLINE void mend(const V* weight, T half_size, V* change) {
+  template <class V> static BOLIDE_INLINE void mend(V f, const V* weight, T half_size, V* change) {
     V curvature[support], raised(T(0)), wanted(T(0));
-    Shape::curvature(curvature);
+    Shape::curvature(f, curvature);
     const V factor(T(0.5) * half_size * half_size), zero(T(0));
     for (int a = 0; a < support; ++a) {
       const V whole = factor * max(curvature[a], zero);
@@ -83,7 +83,7 @@ private:
         if constexpr (Space::hoop)
           if (d == 0) {
             V change[support];
-            mend(weight[0], half_size, change);
+            mend(f, weight[0], half_size, change);
             const V inverse_r = V(T(1)) / max(x, V(smallest_radius));
             for (int a = 0; a < support; ++a) hoop_weight[a] = (weight[0][a] + change[a]) * inverse_r;
           }
