@@ -77,7 +77,7 @@ public:
 
   material(Eos e, Strength s, Failure f, Viscosity v = Viscosity(), Record = Record())
       : eos(std::move(e)), strength(s), failure(f), viscosity(v), c2_reference_(eos.evaluate(eos.reference_density(), 0.0).sound_speed_squared) {
-    require(c2_reference_ > 0, "sound speed squared at the reference density", c2_reference_, "positive", "m2/s2");
+    require(c2_reference_ >= 0, "sound speed squared at the reference density", c2_reference_, "non-negative", "m2/s2");
     if constexpr (requires { strength.validate(); }) strength.validate();
   }
 
@@ -86,7 +86,7 @@ public:
     using T = typename Columns::scalar;
     require(density > 0, "initial density", density, "positive", "kg/m3");
     const auto at = eos.evaluate(density, energy);
-    require(at.sound_speed_squared > 0, "sound speed squared of the initial state", at.sound_speed_squared, "positive", "m2/s2");
+    require(at.sound_speed_squared >= 0, "sound speed squared of the initial state", at.sound_speed_squared, "non-negative", "m2/s2");
     for (std::size_t i = begin; i < begin + n; ++i) {
       const double mass = static_cast<double>(p.template get<field::mass>()[i]);
       p.template get<field::volume>()[i] = static_cast<T>(mass / density);
