@@ -35,7 +35,7 @@ struct settings {
   double jitter = 0; // of the spacing
   std::uint64_t seed = 1;
   std::optional<box_limits> box;
-  int threads = 0;            // all there are
+  int threads = 1;            // 0: all there are; threads of a busy machine wait for each other
   long step_cap = 10'000'000; // a run that needs more steps is stopped
   // the output
   std::optional<int> frames; // ParaView frames after the first; empty: one every 0.6 us

@@ -111,7 +111,7 @@ public:
                   "bolide: solver: run: an observer must have watch(solver) and finish(solver)");
     if (!started_) start();
     (observers.watch(*this), ...);
-    while (time_ < until * (1 - 1e-12)) {
+    while (until - time_ > 1e-6 * dt()) { // what rounding (of a float step) leaves of the last step is no step
       step(until - time_);
       (observers.watch(*this), ...);
     }
