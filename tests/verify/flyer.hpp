@@ -18,6 +18,8 @@
 
 #include "unit/solver/scenes.hpp"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -158,6 +160,17 @@ inline void report(const std::string& eos, const char* space, const std::string&
   const auto percent = [](double a, double b) { return 100 * (a / b - 1); };
   std::printf("| %s | %s | %s | %+.2f | %+.2f | %+.2f | %+.2f | %+.2f | %.1f | %.0f | %.0e |\n", eos.c_str(), space, method.c_str(), percent(s.p, x.pressure),
               percent(s.rho, x.density), percent(s.us, x.shock_speed), percent(s.e, x.energy), percent(s.temperature, x.temperature), 100 * s.p_scatter, s.v_scatter, s.drift);
+}
+
+/// The bars of the default composition; `least`: more particles than this were sampled.
+inline void near_exact(const sampled& s, const analysis::shock_state& x, int least) {
+  ASSERT_GT(s.n, least);
+  EXPECT_NEAR(s.p / x.pressure, 1, 0.01);
+  EXPECT_NEAR(s.rho / x.density, 1, 0.01);
+  EXPECT_NEAR(s.us / x.shock_speed, 1, 0.01);
+  EXPECT_NEAR(s.e / x.energy, 1, 0.01);
+  EXPECT_NEAR(s.temperature / x.temperature, 1, 0.025);
+  EXPECT_LT(s.p_scatter, 0.05);
 }
 
 } // namespace bolide::verify

@@ -6,7 +6,6 @@
 // kept per block and added up in the order of the blocks, so the number of threads does not change a bit.
 #pragma once
 
-#include "bolide/core/algebra.hpp"
 #include "bolide/core/field.hpp"
 #include "bolide/core/math.hpp"
 #include "bolide/grid/mirror.hpp"
