@@ -58,18 +58,18 @@ public:
     }
   }
 
-  /// A block whose image is touched is touched.
-  void spread(std::vector<char>& touched) const {
-    for (const auto& [image, real] : pairs_) {
-      char& a = touched[static_cast<std::size_t>(image / block_map<Dim>::nodes_per_block)];
-      char& b = touched[static_cast<std::size_t>(real / block_map<Dim>::nodes_per_block)];
-      a = b = static_cast<char>(a | b);
-    }
+  /// A block whose image is touched is touched. Only touched blocks take part in complete().
+  void spread(std::vector<char>& touched) {
+    const auto block_of = [&](std::int32_t node) -> char& { return touched[static_cast<std::size_t>(node / block_map<Dim>::nodes_per_block)]; };
+    for (const auto& [image, real] : pairs_) block_of(image) = block_of(real) = static_cast<char>(block_of(image) | block_of(real));
+    active_.clear();
+    for (const auto& pair : pairs_)
+      if (block_of(pair.image)) active_.push_back(pair);
   }
   /// Completes sums over particles; component `first + axis` is the one normal to the plane (first < 0: none is).
   template <class Values> void complete(std::vector<Values>& sums, int first) const {
     const int normal = first < 0 ? -1 : first + static_cast<int>(axis_);
-    for (const auto& [image, real] : pairs_) {
+    for (const auto& [image, real] : active_) {
       Values& a = sums[static_cast<std::size_t>(image)];
       Values& b = sums[static_cast<std::size_t>(real)];
       if (normal >= 0) a.set(normal, -a[normal]);
@@ -94,7 +94,7 @@ private:
   std::size_t axis_;
   bool above_;
   std::int32_t line_ = 0;
-  std::vector<node_pair> pairs_;
+  std::vector<node_pair> pairs_, active_;
   std::vector<std::int32_t> plane_;
   std::vector<char> image_;
 };

@@ -33,7 +33,7 @@ template <int Dim> using cell_index = std::array<std::int32_t, static_cast<std::
 /// The blocks that exist, in lexicographic order (so that every sum over nodes has a fixed order), with their neighbour tables.
 template <int Dim> class block_map {
 public:
-  static constexpr int side = Dim == 1 ? 16 : Dim == 2 ? 8 : 4;
+  static constexpr int side = Dim == 3 ? 4 : 16;
   static constexpr int margin = Dim == 3 ? 1 : 2; // cells that a particle may drift out of its block between two sorts
   static constexpr int nodes_per_block = Dim == 1 ? side : Dim == 2 ? side * side : side * side * side;
   static constexpr int neighbours = Dim == 1 ? 3 : Dim == 2 ? 9 : 27;

@@ -85,8 +85,10 @@ public:
   template <class Columns> void initialise(Columns& p, std::size_t begin, std::size_t n, double density, double energy) const {
     using T = typename Columns::scalar;
     require(density > 0, "initial density", density, "positive", "kg/m3");
-    const auto at = eos.evaluate(density, energy);
+    auto at = eos.evaluate(density, energy);
     require(at.sound_speed_squared >= 0, "sound speed squared of the initial state", at.sound_speed_squared, "non-negative", "m2/s2");
+    constexpr double round_off = 16 * std::numeric_limits<double>::epsilon(); // what a root finder leaves of p = 0 is no pressure
+    if (std::abs(at.pressure) <= round_off * density * at.sound_speed_squared) at.pressure = 0;
     for (std::size_t i = begin; i < begin + n; ++i) {
       const double mass = static_cast<double>(p.template get<field::mass>()[i]);
       p.template get<field::volume>()[i] = static_cast<T>(mass / density);
@@ -279,7 +281,7 @@ private:
     else {
       auto active = !(Space::magnitude(l) * step.dt <= V(std::numeric_limits<T>::epsilon() / 2)); // NaN is not at rest
       if constexpr (Failure::may_fail) active = active || load<V>(p.template get<field::failed>() + at) > V(T(0));
-      if (step.dt == T(0) || any(active && first_lanes<V>(n))) return false;
+      if (any(active && first_lanes<V>(n))) return false;
       const V c = load<V>(p.template get<field::sound_speed>() + at);
       V wave2 = c * c;
       if constexpr (Strength::carries_shear) wave2 = wave2 + T(4.0 / 3 * strength.shear_modulus) * load<V>(p.template get<field::volume>() + at) / mass;

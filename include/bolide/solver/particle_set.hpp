@@ -19,7 +19,9 @@ template <int Dim> struct block_range {
   grid::cell_index<Dim> origin;                       // first node of the block
   std::size_t begin, end;                             // particles
   std::array<std::int32_t, map::neighbours> near;     // the blocks around
-  grid::node_range<Dim> touched;                      // first nodes of the supports, relative to origin: low and high over the particles
+  grid::node_range<Dim> touched;                      // nodes that the particles touch, relative to origin
+  int quiet = 0;                                      // 0: awake; else asleep, and how many blocks off the next awake one is (3: or more)
+  step_limit rest;                                    // while asleep: the shortest step that its particles ask for
 
   /// Do the particles touch a node of neighbour n (of 3^Dim, last axis fastest)?
   bool touches(int n) const {
@@ -93,12 +95,27 @@ template <class T, class Space, class Shape, class Material, class Fields> struc
     for (std::size_t b = 0; b < blocks.size(); ++b) {
       const std::size_t begin = count[b * map::nodes_per_block], end = count[(b + 1) * map::nodes_per_block];
       if (begin == end) continue;
-      block_range<dim> r{{}, begin, end, blocks.neighbourhood(blocks.coordinate(b)), {}};
+      block_range<dim> r{{}, begin, end, blocks.neighbourhood(blocks.coordinate(b)), {}, 0, {}};
       for (std::size_t d = 0; d < dim; ++d) r.origin[d] = blocks.coordinate(b)[d] * map::side;
       by_colour[static_cast<std::size_t>(map::colour_of(blocks.coordinate(b)))].push_back(static_cast<std::int32_t>(ranges.size()));
       ranges.push_back(r);
       measure(ranges.back(), h);
+      if (at_rest(ranges.back())) ranges.back().quiet = 3;
     }
+  }
+
+  /// Are all particles of a range without velocity, stress and void? Then nothing of them changes until their nodes move.
+  bool at_rest(const block_range<dim>& r) const {
+    const auto is_zero = [&]<class Tag>(Tag) {
+      if constexpr (decltype(columns)::template has<Tag>)
+        for (int c = 0; c < Space::components(Tag::order); ++c) {
+          const T* x = columns.template get<Tag>(c);
+          if (std::any_of(x + r.begin, x + r.end, [](T v) { return !(v == T(0)); })) return false;
+        }
+      return true;
+    };
+    return is_zero(field::velocity{}) && is_zero(field::pressure{}) && is_zero(field::deviator{}) && is_zero(field::viscous_pressure{}) &&
+           is_zero(field::affine_velocity{}) && is_zero(field::failed{});
   }
 
   /// Finds which nodes the particles of a range touch. False where they have drifted further than the neighbouring blocks allow.

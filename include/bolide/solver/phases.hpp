@@ -4,6 +4,9 @@
 // A sweep takes the blocks colour by colour; blocks of one colour run in parallel. Each copies the nodes that it needs into a window,
 // runs its particles chunk by chunk (stencil, gather, lanes, scatter), and adds its sums back. What a block reports is
 // kept per block and added up in the order of the blocks, so the number of threads does not change a bit.
+//
+// What is at rest is not computed. A range whose particles had neither velocity nor stress when they were sorted sleeps until one of its
+// nodes moves; material without stress gives no force and does no work. Both leave out only additions of zero: the answer is the same.
 #pragma once
 
 #include "bolide/core/field.hpp"
@@ -38,6 +41,7 @@ public:
   ledger energy;
   step_limit limit;   // of the next step
   double ignore_below = 0; // 1/s: a particle that asks for less cannot limit the next step, whose growth is bounded
+  bool skip_quiet = true;  // leave out what is at rest
   bool sorted = false; // does every particle touch only the blocks around its own?
 
   phases(double spacing, T courant_number, Transfer t, std::tuple<Sets...> s) : sets(std::move(s)), h(spacing), courant(courant_number), transfer(t) {}
@@ -45,18 +49,22 @@ public:
   // ---- the phases -------------------------------------------------------------------------------------------------------------
   /// m_I = sum N m, P_I = sum N m v; with a stress that was updated last also f_I = -sum V sigma grad N.
   void map_to_nodes() {
+    find_quiet_ranges();
     find_touched_blocks();
     clear(sums_);
     if constexpr (!Scheme::stress_first) clear(forces_);
     sweep([this](auto& set, auto& range, update_report&) {
+      if (range.quiet > 2) return;
       scatter(sums_, range, [&](auto& win) {
         chunks<wants::values>(set, range, [&](std::size_t begin, int n, const stencil_type& st) {
           scatter_momentum(set.columns, begin, n, st, win);
         });
       });
       if constexpr (!Scheme::stress_first)
-        scatter(forces_, range, [&](auto& win) {
-          chunks<wants::gradients>(set, range, [&](std::size_t begin, int n, const stencil_type& st) { scatter_force(set, begin, n, st, win); });
+        if (range.quiet == 0) scatter(forces_, range, [&](auto& win) {
+          chunks<wants::gradients>(set, range, [&](std::size_t begin, int n, const stencil_type& st) {
+            if (carries_stress(set.columns, begin, n)) scatter_force(set, begin, n, st, win);
+          });
         });
     });
     for (const auto& m : mirrors) m.complete(sums_, 1);
@@ -77,13 +85,14 @@ public:
     clear(forces_);
     start_report();
     sweep([this](auto& set, auto& range, update_report& report) {
+      if (sleeps_on(range, report)) return;
       gather(motion_, range, [&](auto& nodes) {
         scatter(forces_, range, [&](auto& win) {
           chunks<wants::gradients>(set, range, [&](std::size_t begin, int n, const stencil_type& st) {
             T l[Space::gradient_size][chunk_size];
             velocity_gradient(n, st, nodes, T(1), T(0), l);
             set.material.template update<Space>(set.columns, begin, n, l, context(true), report);
-            scatter_force(set, begin, n, st, win);
+            if (carries_stress(set.columns, begin, n)) scatter_force(set, begin, n, st, win);
           });
         });
       });
@@ -107,6 +116,7 @@ public:
     constexpr bool maps_back = !Transfer::affine || !Scheme::stress_first;
     if constexpr (maps_back) clear(back_);
     sweep([this](auto& set, auto& range, update_report& report) {
+      if (sleeps_on(range)) return;
       gather(motion_, range, [&](auto& nodes) {
         const auto run = [&](auto& win) {
           chunks<Transfer::affine ? wants::both : wants::values>(set, range, [&](std::size_t begin, int n, const stencil_type& st) {
@@ -141,8 +151,10 @@ public:
   void work_and_move() {
     if constexpr (!Scheme::stress_first) start_report();
     sweep([&](auto& set, auto& range, update_report& report) {
+      constexpr bool only_work = Scheme::stress_first;
+      if (only_work ? range.quiet > 0 : sleeps_on(range, report)) return;
       if constexpr (!Transfer::affine || !Scheme::stress_first)
-        gather(motion_, range, [&](auto& nodes) {
+        if (!only_work || carries_stress(set.columns, range.begin, range.end - range.begin)) gather(motion_, range, [&](auto& nodes) {
           chunks<wants::gradients>(set, range, [&](std::size_t begin, int n, const stencil_type& st) {
             T l[Space::gradient_size][chunk_size];
             if constexpr (!Transfer::affine) {
@@ -163,13 +175,7 @@ public:
   /// Pressure, sound speed and the first time step from the initial state.
   void initialise_stress() {
     start_report();
-    sweep([this](auto& set, auto& range, update_report& report) {
-      T l[Space::gradient_size][chunk_size] = {};
-      auto still = context(true);
-      still.dt = 0;
-      for (std::size_t begin = range.begin; begin < range.end; begin += chunk_size)
-        set.material.template update<Space>(set.columns, begin, static_cast<int>(std::min<std::size_t>(chunk_size, range.end - begin)), l, still, report);
-    });
+    sweep([this](auto& set, auto& range, update_report& report) { update_without_motion(set, range, report); });
     finish_report();
   }
 
@@ -187,13 +193,23 @@ public:
     for_each_set([&](auto& s) { s.collect_blocks(h, occupied); });
     blocks.rebuild(std::move(occupied));
     for (auto& m : mirrors) m.rebuild(blocks);
-    for_each_set([&](auto& s) { s.sort(blocks, h); });
+    for_each_set([&](auto& s) {
+      s.sort(blocks, h);
+      for (auto& r : s.ranges) {
+        if (!skip_quiet || !s.at_rest(r)) continue;
+        r.quiet = asleep;
+        update_report report;
+        update_without_motion(s, r, report);
+        r.rest = report.limit;
+      }
+    });
     sorted = true;
   }
 
   std::size_t node_count() const { return blocks.size() * map::nodes_per_block; }
 
 private:
+  static constexpr int asleep = 3;
   static constexpr std::int64_t worth_threads = 16384; // particles (or half as many nodes) below which threads cost more than they give
   std::vector<sums> sums_;
   std::vector<forces> forces_, back_;
@@ -245,15 +261,76 @@ private:
     total_.kinetic_gain = total_.returned_heat = 0;
   }
 
+  template <class Set> void update_without_motion(Set& set, const block_range<dim>& range, update_report& report) const {
+    const T l[Space::gradient_size][chunk_size] = {};
+    auto still = context(true);
+    still.dt = 0;
+    still.ignore_below = 0;
+    for (std::size_t begin = range.begin; begin < range.end; begin += chunk_size)
+      set.material.template update<Space>(set.columns, begin, static_cast<int>(std::min<std::size_t>(chunk_size, range.end - begin)), l, still, report);
+  }
+
+  /// How far off is the next awake range? Next to it a sleeper listens (1): it brings its mass to the nodes and wakes when they move. Next
+  /// to a listener, which may wake, it brings its mass (2). Blocks further apart than that share no node (grid/sparse.hpp).
+  void find_quiet_ranges() {
+    std::vector<char> distance(blocks.size(), asleep);
+    const auto spread = [&](int from, int to) {
+      for_each_set([&](auto& s) {
+        for (const auto& r : s.ranges)
+          if (r.quiet == from)
+            for (const auto b : r.near) distance[static_cast<std::size_t>(b)] = std::min(distance[static_cast<std::size_t>(b)], static_cast<char>(to));
+      });
+      for_each_set([&](auto& s) {
+        for (auto& r : s.ranges)
+          if (r.quiet > to) r.quiet = std::min<int>(asleep, distance[static_cast<std::size_t>(r.near[map::neighbours / 2])]);
+      });
+    };
+    for_each_set([](auto& s) {
+      for (auto& r : s.ranges)
+        if (r.quiet > 0) r.quiet = asleep;
+    });
+    spread(0, 1);
+    spread(1, 2);
+  }
+  /// Does a range go on sleeping? It wakes when a node of it moves.
+  bool sleeps_on(block_range<dim>& range, update_report& report) const {
+    if (!sleeps_on(range)) return false;
+    report.limit = range.rest;
+    return true;
+  }
+  bool sleeps_on(block_range<dim>& range) const {
+    if (range.quiet == 0) return false;
+    if (range.quiet > 1) return true;
+    bool moves = false;
+    grid::for_each_run<dim>(range.near, range.touched, [&](std::int32_t node, int, int count) {
+      for (int i = 0; i < count; ++i) moves = moves || any(motion_[static_cast<std::size_t>(node + i)] != motion(T(0)));
+    });
+    if (moves) range.quiet = 0;
+    return !moves;
+  }
+  /// Has any of n particles from `begin` a stress? Without one there is no force and no work.
+  template <class Columns> static BOLIDE_INLINE bool carries_stress(const Columns& p, std::size_t begin, std::size_t n) {
+    using V = native_pack<T>;
+    const V zero(T(0));
+    for (std::size_t k = 0; k < n; k += static_cast<std::size_t>(lane_width<V>)) {
+      auto some = load<V>(p.template get<field::pressure>() + begin + k) != zero;
+      if constexpr (Columns::template has<field::viscous_pressure>) some = some || load<V>(p.template get<field::viscous_pressure>() + begin + k) != zero;
+      if constexpr (Columns::template has<field::deviator>)
+        for (int c = 0; c < Space::deviator_size; ++c) some = some || load<V>(p.template get<field::deviator>(c) + begin + k) != zero;
+      if (any(some && first_lanes<V>(static_cast<int>(std::min<std::size_t>(n - k, static_cast<std::size_t>(lane_width<V>)))))) return true;
+    }
+    return false;
+  }
+
   /// Which blocks have a node that some particle touches? Only they are cleared and looped over: empty halo costs nothing.
   void find_touched_blocks() {
     std::vector<char> touched(blocks.size(), 0);
     for_each_set([&](const auto& s) {
       for (const auto& r : s.ranges)
-        for (int n = 0; n < map::neighbours; ++n)
+        for (int n = 0; n < map::neighbours && r.quiet < asleep; ++n)
           if (r.touches(n)) touched[static_cast<std::size_t>(r.near[static_cast<std::size_t>(n)])] = 1;
     });
-    for (const auto& m : mirrors) m.spread(touched);
+    for (auto& m : mirrors) m.spread(touched);
     touched_.clear();
     for (std::size_t b = 0; b < touched.size(); ++b)
       if (touched[b]) touched_.push_back(static_cast<std::int32_t>(b));

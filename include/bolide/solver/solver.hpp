@@ -202,6 +202,7 @@ private:
     phases_.energy.momentum_initial = phases_.energy.momentum_now;
     sort();
     phases_.initialise_stress();
+    phases_.sorted = false; // what is at rest is known from now on
     phases_.dt = static_cast<T>(controls_.first_step / phases_.limit.rate / controls_.growth);
     first_dt_ = unclipped_dt_ = static_cast<double>(phases_.dt);
   }
