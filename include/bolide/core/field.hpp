@@ -23,7 +23,8 @@ struct viscous_pressure { static constexpr auto name = "viscous_pressure", unit 
 struct sound_speed { static constexpr auto name = "sound_speed", unit = "m/s"; static constexpr rank order = rank::scalar; };
 struct deviator { static constexpr auto name = "deviator", unit = "Pa"; static constexpr rank order = rank::deviator; };
 struct plastic_strain { static constexpr auto name = "plastic_strain", unit = "1"; static constexpr rank order = rank::scalar; };
-struct failed { static constexpr auto name = "failed", unit = "1"; static constexpr rank order = rank::scalar; };           // 0 or 1
+/// 0 sound, 1 failed, 2 failed and settled at zero pressure in an open void: what changes the energy of such a particle sets it back to 1.
+struct failed { static constexpr auto name = "failed", unit = "1"; static constexpr rank order = rank::scalar; };
 struct material_volume { static constexpr auto name = "material_volume", unit = "m3"; static constexpr rank order = rank::scalar; }; // without the void
 struct peak_pressure { static constexpr auto name = "peak_pressure", unit = "Pa"; static constexpr rank order = rank::scalar; };
 struct carrying_velocity { static constexpr auto name = "carrying_velocity", unit = "m/s"; static constexpr rank order = rank::vector; }; // moves the particle

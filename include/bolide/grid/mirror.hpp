@@ -58,13 +58,16 @@ public:
     }
   }
 
-  /// A block whose image is touched is touched. Only touched blocks take part in complete().
+  /// A block whose image is touched is touched, and marked as holding images. Only such blocks take part in complete().
   void spread(std::vector<char>& touched) {
     const auto block_of = [&](std::int32_t node) -> char& { return touched[static_cast<std::size_t>(node / block_map<Dim>::nodes_per_block)]; };
-    for (const auto& [image, real] : pairs_) block_of(image) = block_of(real) = static_cast<char>(block_of(image) | block_of(real));
     active_.clear();
+    for (const auto& pair : pairs_) {
+      if (!block_of(pair.image) && !block_of(pair.real)) continue;
+      block_of(pair.image) = block_of(pair.real) = block_map<Dim>::holds_images;
+    }
     for (const auto& pair : pairs_)
-      if (block_of(pair.image)) active_.push_back(pair);
+      if (block_of(pair.image) && block_of(pair.real)) active_.push_back(pair);
   }
   /// Completes sums over particles; component `first + axis` is the one normal to the plane (first < 0: none is).
   template <class Values> void complete(std::vector<Values>& sums, int first) const {

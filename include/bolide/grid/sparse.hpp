@@ -30,6 +30,23 @@ template <class T, int N> using node_values = pack<T, std::max(N <= 2 ? 2 : N <=
 
 template <int Dim> using cell_index = std::array<std::int32_t, static_cast<std::size_t>(Dim)>;
 
+/// A rectangle of nodes relative to a block's first node, both ends included.
+template <int Dim> struct node_range {
+  std::array<int, static_cast<std::size_t>(Dim)> low, high;
+
+  bool empty() const {
+    for (std::size_t d = 0; d < Dim; ++d)
+      if (low[d] > high[d]) return true;
+    return false;
+  }
+  void merge(const node_range& o) { // the smallest rectangle around both
+    for (std::size_t d = 0; d < Dim; ++d) {
+      low[d] = std::min(low[d], o.low[d]);
+      high[d] = std::max(high[d], o.high[d]);
+    }
+  }
+};
+
 /// The blocks that exist, in lexicographic order (so that every sum over nodes has a fixed order), with their neighbour tables.
 template <int Dim> class block_map {
 public:
@@ -83,6 +100,26 @@ public:
     return b * nodes_per_block + local;
   }
 
+  static constexpr char holds_images = 2; // a block that mirror nodes couple (grid/mirror.hpp)
+
+  static node_range<Dim> whole_block() {
+    node_range<Dim> r;
+    r.low.fill(0);
+    r.high.fill(side - 1);
+    return r;
+  }
+  /// f(first node of the row in the block, count) for every row of a part of a block.
+  template <class F> static void for_each_row(const node_range<Dim>& part, F&& f) {
+    constexpr auto last = static_cast<std::size_t>(Dim - 1);
+    const int count = part.high[last] - part.low[last] + 1;
+    if constexpr (Dim == 1) f(part.low[0], count);
+    else if constexpr (Dim == 2)
+      for (int i = part.low[0]; i <= part.high[0]; ++i) f(i * side + part.low[last], count);
+    else
+      for (int i = part.low[0]; i <= part.high[0]; ++i)
+        for (int j = part.low[1]; j <= part.high[1]; ++j) f((i * side + j) * side + part.low[last], count);
+  }
+
 private:
   static std::int32_t floor_div(std::int32_t i) { return i >= 0 ? i / side : -((side - 1 - i) / side); }
   static index shifted(index b, int n) { // n-th of the 3^Dim neighbours, the block itself in the middle; last axis fastest
@@ -93,11 +130,6 @@ private:
     return b;
   }
   std::vector<index> blocks_;
-};
-
-/// A rectangle of nodes relative to a block's first node, both ends included.
-template <int Dim> struct node_range {
-  std::array<int, static_cast<std::size_t>(Dim)> low, high;
 };
 
 /// Dense copy of the nodes of a node_range. Row stride is fixed, so that the offset of a node of the stencil is a constant.

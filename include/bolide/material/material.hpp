@@ -12,6 +12,7 @@
 // Failed points. A failed point carries no shear and no tension. When it expands further, its material stays at the volume
 // V_m of zero pressure (p(V_m, e) = 0, one Newton step per time step: dV = V p / (rho c^2)) and a void opens: V = V_m + void. It
 // carries pressure again when the void has closed. Density, temperature and phase are those of V_m, so that they mean something.
+// Once Newton's step is round-off the point is settled: only its void changes, and the equation of state is not asked again.
 #pragma once
 
 #include "bolide/concepts/equation_of_state.hpp"
@@ -191,8 +192,14 @@ private:
     V own_volume = volume;
     auto failed = volume < zero; // none
     if constexpr (Failure::may_fail) {
-      failed = load<V>(p.template get<field::failed>() + at) > zero;
+      const V state_of_failure = load<V>(p.template get<field::failed>() + at);
+      failed = state_of_failure > zero;
       own_volume = select(failed, min(volume, load<V>(p.template get<field::material_volume>() + at)), volume);
+      if (!any(!(state_of_failure > one && volume > own_volume) && active)) { // all settled
+        store_first(volume, p.template get<field::volume>() + at, n);
+        limit_step<Space, V>(p, at, n, l, divergence, zero, zero, step, report);
+        return;
+      }
     }
     V q = zero;
     if constexpr (Viscosity::present) {
@@ -232,7 +239,8 @@ private:
         const V without_void = select(failed && open, min(volume, own_volume * (one + limited)), volume);
         pressure = select(failed && open, zero, pressure);
         store_first(without_void, p.template get<field::material_volume>() + at, n);
-        store_first(select(failed, one, zero), p.template get<field::failed>() + at, n);
+        const auto settled = volume > own_volume && abs(step_back) <= V(T(8) * std::numeric_limits<T>::epsilon());
+        store_first(select(failed, select(settled, V(T(2)), one), zero), p.template get<field::failed>() + at, n);
       }
     }
 

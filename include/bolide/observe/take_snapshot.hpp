@@ -66,7 +66,7 @@ template <class Solver> snapshot take_snapshot(const Solver& sim) {
         put(8, t.region);
       }
       if constexpr (columns::template has<field::failed>) {
-        put(9, static_cast<double>(p.template get<field::failed>()[i]));
+        put(9, p.template get<field::failed>()[i] > 0 ? 1 : 0);
         put(12, 1 - own / volume);
       }
       if constexpr (columns::template has<field::plastic_strain>) put(10, static_cast<double>(p.template get<field::plastic_strain>()[i]));

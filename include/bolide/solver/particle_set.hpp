@@ -23,13 +23,16 @@ template <int Dim> struct block_range {
   int quiet = 0;                                      // 0: awake; else asleep, and how many blocks off the next awake one is (3: or more)
   step_limit rest;                                    // while asleep: the shortest step that its particles ask for
 
-  /// Do the particles touch a node of neighbour n (of 3^Dim, last axis fastest)?
-  bool touches(int n) const {
+  /// The nodes of neighbour n (of 3^Dim, last axis fastest) that the particles touch, relative to that block.
+  grid::node_range<Dim> part_in_neighbour(int n) const {
+    grid::node_range<Dim> part;
     for (int d = Dim - 1; d >= 0; --d, n /= 3) {
       const auto at = static_cast<std::size_t>(d);
-      if ((n % 3 == 0 && touched.low[at] >= 0) || (n % 3 == 2 && touched.high[at] < map::side)) return false;
+      const int shift = (n % 3 - 1) * map::side;
+      part.low[at] = std::max(0, touched.low[at] - shift);
+      part.high[at] = std::min(map::side - 1, touched.high[at] - shift);
     }
-    return true;
+    return part;
   }
 };
 
@@ -100,7 +103,6 @@ template <class T, class Space, class Shape, class Material, class Fields> struc
       by_colour[static_cast<std::size_t>(map::colour_of(blocks.coordinate(b)))].push_back(static_cast<std::int32_t>(ranges.size()));
       ranges.push_back(r);
       measure(ranges.back(), h);
-      if (at_rest(ranges.back())) ranges.back().quiet = 3;
     }
   }
 

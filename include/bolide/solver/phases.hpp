@@ -41,7 +41,7 @@ public:
   ledger energy;
   step_limit limit;   // of the next step
   double ignore_below = 0; // 1/s: a particle that asks for less cannot limit the next step, whose growth is bounded
-  bool skip_quiet = true;  // leave out what is at rest
+  bool skip_quiet = true;  // leave out what is at rest?
   bool sorted = false; // does every particle touch only the blocks around its own?
 
   phases(double spacing, T courant_number, Transfer t, std::tuple<Sets...> s) : sets(std::move(s)), h(spacing), courant(courant_number), transfer(t) {}
@@ -50,7 +50,7 @@ public:
   /// m_I = sum N m, P_I = sum N m v; with a stress that was updated last also f_I = -sum V sigma grad N.
   void map_to_nodes() {
     find_quiet_ranges();
-    find_touched_blocks();
+    find_touched_nodes();
     clear(sums_);
     if constexpr (!Scheme::stress_first) clear(forces_);
     sweep([this](auto& set, auto& range, update_report&) {
@@ -69,6 +69,8 @@ public:
     });
     for (const auto& m : mirrors) m.complete(sums_, 1);
     motion_.resize(node_count());
+    if constexpr (Scheme::stress_first) forces_.resize(node_count());
+    if constexpr (maps_back) back_.resize(node_count());
     each_node([this](std::size_t i) {
       const sums s = sums_[i];
       motion v(T(0));
@@ -77,12 +79,13 @@ public:
         v = motion::make([&](int c) { return c < dim ? s[c < dim ? 1 + c : 0] * inverse_mass : T(0); });
       }
       motion_[i] = v;
+      if constexpr (Scheme::stress_first) forces_[i] = forces(T(0));
+      if constexpr (maps_back) back_[i] = forces(T(0));
     });
   }
 
   /// Stress from the velocities that the particles brought to the nodes, then its forces.
   void update_stress_first() {
-    clear(forces_);
     start_report();
     sweep([this](auto& set, auto& range, update_report& report) {
       if (sleeps_on(range, report)) return;
@@ -104,17 +107,16 @@ public:
   void accelerate_nodes() {
     for (const auto& m : mirrors) m.complete(forces_, 0);
     each_node([this](std::size_t i) {
-      if (!(sums_[i][0] > T(0))) return;
+      if (!(sums_[i][0] > T(0))) return 0.0;
       const T factor = dt / sums_[i][0];
       for (int d = 0; d < dim; ++d) motion_[i].set(dim + d, forces_[i][d] * factor + (Transfer::affine ? motion_[i][d] : T(0)));
+      return Transfer::affine ? nodal_power(i) : 0.0;
     });
     if constexpr (Transfer::affine) nodal_work();
   }
 
   /// New particle velocities; what the scheme or the transfer needs back on the nodes.
   void map_to_particles() {
-    constexpr bool maps_back = !Transfer::affine || !Scheme::stress_first;
-    if constexpr (maps_back) clear(back_);
     sweep([this](auto& set, auto& range, update_report& report) {
       if (sleeps_on(range)) return;
       gather(motion_, range, [&](auto& nodes) {
@@ -140,8 +142,9 @@ public:
     if constexpr (maps_back) {
       for (const auto& m : mirrors) m.complete(back_, 0);
       each_node([this](std::size_t i) {
-        if (!(sums_[i][0] > T(0))) return;
+        if (!(sums_[i][0] > T(0))) return 0.0;
         for (int d = 0; d < dim; ++d) motion_[i].set(dim + d, back_[i][d] / sums_[i][0]); // FLIP: dv~ = sum N m dv_p / m_I; APIC: v'_I
+        return Transfer::affine ? 0.0 : nodal_power(i);
       });
     }
     if constexpr (!Transfer::affine) nodal_work();
@@ -208,13 +211,32 @@ public:
 
   std::size_t node_count() const { return blocks.size() * map::nodes_per_block; }
 
+  /// Is a particle beyond this box (m)? Known to a cell: what is less than a cell beyond may go unseen.
+  bool beyond(const vec<double, dim>& low, const vec<double, dim>& high) const {
+    bool any_beyond = false;
+    for_each_set([&](const auto& s) {
+      for (const auto& r : s.ranges)
+        for (std::size_t d = 0; d < dim; ++d) {
+          const double lowest = r.origin[d] + r.touched.low[d] + Shape::offset, highest = r.origin[d] + r.touched.high[d] - Shape::support + 1 + Shape::offset;
+          any_beyond = any_beyond || (lowest + 1) * h < low[static_cast<int>(d)] || highest * h > high[static_cast<int>(d)];
+        }
+    });
+    return any_beyond;
+  }
+
 private:
   static constexpr int asleep = 3;
+  static constexpr bool maps_back = !Transfer::affine || !Scheme::stress_first;
   static constexpr std::int64_t worth_threads = 16384; // particles (or half as many nodes) below which threads cost more than they give
   std::vector<sums> sums_;
   std::vector<forces> forces_, back_;
   std::vector<motion> motion_;
-  std::vector<std::int32_t> touched_;  // blocks with nodes that particles touch in this step
+  struct touched_part {
+    std::int32_t block;
+    grid::node_range<dim> nodes; // relative to the block
+  };
+  std::vector<touched_part> touched_;  // nodes that particles touch in this step
+  std::vector<double> node_sums_;      // of a loop over nodes, one per touched block
   std::vector<update_report> reports_; // one per range
 
   step_context<T> context(bool gradient_at_end) const { return {dt, static_cast<T>(h), courant, ignore_below, gradient_at_end}; }
@@ -322,48 +344,68 @@ private:
     return false;
   }
 
-  /// Which blocks have a node that some particle touches? Only they are cleared and looped over: empty halo costs nothing.
-  void find_touched_blocks() {
+  /// Which nodes of which blocks do particles touch? Only they are cleared and looped over: empty halo costs nothing.
+  void find_touched_nodes() {
+    const grid::node_range<dim> whole = map::whole_block();
+    std::vector<grid::node_range<dim>> nodes(blocks.size(), grid::node_range<dim>{whole.high, whole.low}); // of no node
     std::vector<char> touched(blocks.size(), 0);
     for_each_set([&](const auto& s) {
-      for (const auto& r : s.ranges)
-        for (int n = 0; n < map::neighbours && r.quiet < asleep; ++n)
-          if (r.touches(n)) touched[static_cast<std::size_t>(r.near[static_cast<std::size_t>(n)])] = 1;
+      for (const auto& r : s.ranges) {
+        if (r.quiet == asleep) continue;
+        for (int n = 0; n < map::neighbours; ++n) {
+          const auto part = r.part_in_neighbour(n);
+          if (part.empty()) continue;
+          const auto b = static_cast<std::size_t>(r.near[static_cast<std::size_t>(n)]);
+          if (!touched[b]) nodes[b] = part;
+          else nodes[b].merge(part);
+          touched[b] = 1;
+        }
+      }
     });
-    for (auto& m : mirrors) m.spread(touched);
+    std::vector<char> mirrored = touched;
+    for (auto& m : mirrors) m.spread(mirrored);
     touched_.clear();
-    for (std::size_t b = 0; b < touched.size(); ++b)
-      if (touched[b]) touched_.push_back(static_cast<std::int32_t>(b));
+    for (std::size_t b = 0; b < blocks.size(); ++b)
+      if (mirrored[b]) touched_.push_back({static_cast<std::int32_t>(b), mirrored[b] == map::holds_images ? whole : nodes[b]});
   }
   template <class Values> void clear(std::vector<Values>& column) {
     column.resize(node_count());
     each_node([&](std::size_t i) { column[i] = Values(T(0)); });
   }
-  /// f(node) for every node of the touched blocks.
+  /// f(node) for every touched node; what it returns is summed block by block.
   template <class F> void each_node(F&& f) {
+    constexpr bool sums_up = std::is_same_v<std::invoke_result_t<F, std::size_t>, double>;
     const auto n = static_cast<std::int64_t>(touched_.size());
+    if constexpr (sums_up) node_sums_.assign(touched_.size(), 0);
 #if defined(_OPENMP)
 #pragma omp parallel for schedule(static) if (n * map::nodes_per_block > 2 * worth_threads)
 #endif
     for (std::int64_t b = 0; b < n; ++b) {
-      const std::size_t first = static_cast<std::size_t>(touched_[static_cast<std::size_t>(b)]) * map::nodes_per_block;
-      for (std::size_t i = first; i < first + map::nodes_per_block; ++i) f(i);
+      const auto& part = touched_[static_cast<std::size_t>(b)];
+      double sum = 0;
+      map::for_each_row(part.nodes, [&](int local, int count) {
+        const std::size_t first = static_cast<std::size_t>(part.block) * map::nodes_per_block + static_cast<std::size_t>(local);
+        for (std::size_t i = first; i < first + static_cast<std::size_t>(count); ++i) {
+          if constexpr (sums_up) sum += f(i);
+          else f(i);
+        }
+      });
+      if constexpr (sums_up) node_sums_[static_cast<std::size_t>(b)] = sum;
     }
   }
 
-  /// W = sum f.(v + dv/2) dt over the real nodes, in a fixed order: leaves the nodes, so transfer loses and mismatch gains it.
+  /// f.(v + dv/2) of a real node.
+  double nodal_power(std::size_t i) const {
+    if (is_image(i)) return 0;
+    double power = 0;
+    for (int d = 0; d < dim; ++d)
+      power += static_cast<double>(forces_[i][d]) * ((Transfer::affine ? 0.5 : 1) * static_cast<double>(motion_[i][d]) + 0.5 * static_cast<double>(motion_[i][dim + d]));
+    return power;
+  }
+  /// W = sum f.(v + dv/2) dt over the nodes of the last loop: leaves the nodes, so transfer loses and mismatch gains it.
   void nodal_work() {
     double work = 0;
-    for (const auto block : touched_) {
-      const auto b = static_cast<std::size_t>(block);
-      double part = 0;
-      for (std::size_t i = b * map::nodes_per_block; i < (b + 1) * map::nodes_per_block; ++i) {
-        if (!(sums_[i][0] > T(0)) || is_image(i)) continue;
-        for (int d = 0; d < dim; ++d)
-          part += static_cast<double>(forces_[i][d]) * ((Transfer::affine ? 0.5 : 1) * static_cast<double>(motion_[i][d]) + 0.5 * static_cast<double>(motion_[i][dim + d]));
-      }
-      work += part;
-    }
+    for (const double part : node_sums_) work += part;
     work *= static_cast<double>(dt);
     energy.transfer -= work;
     energy.work_mismatch += work;
@@ -539,6 +581,8 @@ private:
     T* const specific_energy = p.template get<field::energy>() + begin;
     const auto velocity = columns_of<field::velocity, dim>(p, begin), carrying = columns_of<field::carrying_velocity, dim>(p, begin);
     const auto affine = columns_of<field::affine_velocity, dim * dim>(p, begin);
+    [[maybe_unused]] T* failed = nullptr;
+    if constexpr (Columns::template has<field::failed>) failed = p.template get<field::failed>() + begin;
     const motion* const from = nodes.node.data();
     const T cell = static_cast<T>(h), inertia = cell * cell * T(Shape::inertia), heat = static_cast<T>(transfer.heat);
     double kinetic_gain = 0, returned_heat = 0;
@@ -571,6 +615,7 @@ private:
       }
       loss *= T(0.5) * heat;
       specific_energy[k] += loss;
+      if constexpr (Columns::template has<field::failed>) failed[k] = std::min(failed[k], T(1)); // no longer settled
       kinetic_gain += static_cast<double>(mass[k]) * static_cast<double>(kinetic);
       returned_heat += static_cast<double>(mass[k]) * static_cast<double>(loss);
     }

@@ -91,8 +91,9 @@ public:
 
   /// One step, no longer than `most`.
   void step(double most = std::numeric_limits<double>::infinity()) {
-    if (steps_ == 0 && !started_) start();
+    if (!started_) start();
     const auto begin = std::chrono::steady_clock::now();
+    if (box_ && phases_.beyond(box_->low, box_->high)) phases_.sorted = false; // sorting lets material leave
     if (!phases_.sorted) sort();
     choose_step(most);
     scheme_.step(phases_);
@@ -132,6 +133,14 @@ public:
     return n;
   }
   std::size_t node_count() const { return phases_.node_count(); }
+  /// Particles whose blocks are at rest and not computed.
+  std::size_t sleeping_particles() const {
+    std::size_t n = 0;
+    phases_.for_each_set([&](const auto& s) {
+      for (const auto& r : s.ranges) n += r.quiet > 0 ? r.end - r.begin : 0;
+    });
+    return n;
+  }
   /// f(set) for the particles of every body: set.name, set.material, set.columns.
   template <class F> void for_each_body(F&& f) const { phases_.for_each_set(f); }
   template <class F> void for_each_body(F&& f) { phases_.for_each_set(f); }
@@ -193,6 +202,7 @@ private:
 
   void start() {
     started_ = true;
+    phases_.skip_quiet = controls_.skip_quiet;
 #if defined(_OPENMP)
     threads_ = controls_.threads > 0 ? controls_.threads : omp_get_max_threads();
     omp_set_num_threads(threads_);

@@ -144,7 +144,7 @@ TYPED_TEST(VoidOpening, KeepsTheMaterialAtZeroPressureAndConstantEnergy) {
     // start compressed so that p > 0 although hot
     material_point<decltype(al)> m(al, 1.05 * eos.reference_density(), e0);
     while (m.template get<field::failed>() == 0 && m.density() > 500) pull(m, 1);
-    ASSERT_EQ(m.template get<field::failed>(), 1) << "it must fail in tension";
+    ASSERT_GT(m.template get<field::failed>(), 0) << "it must fail in tension";
     EXPECT_EQ(m.template get<field::pressure>(), 0) << "no tension left";
     const double e = m.template get<field::energy>();
     pull(m, 8);
@@ -169,7 +169,7 @@ TYPED_TEST(VoidOpening, KeepsTheMaterialAtZeroPressureAndConstantEnergy) {
     pull(m, 60, -1e6);
     EXPECT_GT(m.template get<field::pressure>(), 1e9) << "closed: it carries compression again";
     EXPECT_NEAR(m.own_density(), m.density(), 1e-12 * m.density());
-    EXPECT_EQ(m.template get<field::failed>(), 1) << "failure is for good";
+    EXPECT_GT(m.template get<field::failed>(), 0) << "failure is for good";
   }
 }
 
@@ -177,16 +177,35 @@ TEST(VoidOpeningFloat, WorksInSinglePrecision) {
   material al{thermal_mg{fluid}, strength::none{}, failure::tension{1.5e9}};
   material_point<decltype(al), space::planar_1d, float> m(al, rho0, 0.2e6);
   for (int i = 0; i < 500; ++i) m.advance({1e6}, 1e-9);
-  ASSERT_EQ(m.get<field::failed>(), 1);
+  ASSERT_GT(m.get<field::failed>(), 0);
   const auto state = al.eos.evaluate(m.own_density(), static_cast<double>(m.get<field::energy>()));
   EXPECT_NEAR(state.pressure, 0, 1e-5 * rho0 * state.sound_speed_squared);
+}
+
+TEST(SettledPoint, KeepsItsMaterialVolumeUntilItsEnergyChangesOrTheVoidCloses) {
+  material al{thermal_mg{fluid}, strength::none{}, failure::tension{1.5e9}};
+  material_point<decltype(al)> m(al, rho0, 0.2e6);
+  while (m.get<field::failed>() < 2) m.advance({1e6}, 1e-9);
+  const double settled = m.own_density();
+  EXPECT_NEAR(al.eos.evaluate(settled, m.get<field::energy>()).pressure, 0, 1e-14 * rho0 * square(5328.0));
+  pull(m, 100);
+  EXPECT_EQ(m.own_density(), settled);
+  EXPECT_GT(settled / m.density(), 1.1) << "the void went on opening";
+  m.get<field::energy>() = 0.4e6;
+  m.get<field::failed>() = 1;
+  pull(m, 100);
+  EXPECT_EQ(m.get<field::failed>(), 2);
+  EXPECT_LT(m.own_density(), 0.99 * settled) << "hotter material takes more room";
+  EXPECT_NEAR(al.eos.evaluate(m.own_density(), m.get<field::energy>()).pressure, 0, 1e-14 * rho0 * square(5328.0));
+  while (m.get<field::pressure>() == 0) m.advance({-1e6}, 1e-9);
+  EXPECT_EQ(m.get<field::failed>(), 1) << "closed";
 }
 
 TEST(FailedPoint, CarriesNoShear) {
   material al{thermal_mg{fluid}, strength::johnson_cook{}, failure::tension_or_melt{1.5e9}};
   material_point<decltype(al)> m(al, rho0, 0);
   pull(m, 40);
-  ASSERT_EQ(m.get<field::failed>(), 1);
+  ASSERT_GT(m.get<field::failed>(), 0);
   EXPECT_EQ(m.get<field::deviator>(), 0);
   for (int i = 0; i < 500; ++i) m.advance({-1e6}, 1e-9); // recompression
   EXPECT_GT(m.get<field::pressure>(), 0);
@@ -197,7 +216,7 @@ TEST(FailedPoint, MeltingFailsWithoutTension) {
   material al{thermal_mg{fluid}, strength::johnson_cook{}, failure::tension_or_melt::melt_only()};
   material_point<decltype(al)> m(al, rho0, 1.0e6); // 293 + 1143 K at V0
   m.advance({1e-3}, 1e-9);
-  EXPECT_EQ(m.get<field::failed>(), 1);
+  EXPECT_GT(m.get<field::failed>(), 0);
   EXPECT_GT(m.get<field::pressure>(), 0) << "it still carries compression";
 }
 
@@ -236,8 +255,9 @@ TEST(Floors, VoidIteration) {
   material al{eos::mie_grueneisen{{.constant_gamma = true}}, strength::none{}, failure::tension{1.5e9}};
   material_point<decltype(al)> m(al, rho0, 0);
   pull(m, 40);
-  ASSERT_EQ(m.get<field::failed>(), 1);
+  ASSERT_GT(m.get<field::failed>(), 0);
   m.get<field::energy>() = 20e6; // an energy that belongs to a much larger volume
+  m.get<field::failed>() = 1;
   pull(m, 200);
   m.get<field::material_volume>() = m.get<field::volume>() * 0.4;
   EXPECT_EQ(m.advance({1e6}, 1e-9).floors[floor_kind::void_iteration], 1u);
