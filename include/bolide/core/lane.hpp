@@ -26,12 +26,12 @@ namespace bolide {
 
 namespace detail {
 template <class T, int W> struct simd_register; // g++ refuses a vector_size that depends on a template parameter
-template <> struct simd_register<double, 2> { using value __attribute__((vector_size(16))) = double; using bits __attribute__((vector_size(16))) = std::int64_t; };
-template <> struct simd_register<double, 4> { using value __attribute__((vector_size(32))) = double; using bits __attribute__((vector_size(32))) = std::int64_t; };
-template <> struct simd_register<double, 8> { using value __attribute__((vector_size(64))) = double; using bits __attribute__((vector_size(64))) = std::int64_t; };
-template <> struct simd_register<float, 4> { using value __attribute__((vector_size(16))) = float; using bits __attribute__((vector_size(16))) = std::int32_t; };
-template <> struct simd_register<float, 8> { using value __attribute__((vector_size(32))) = float; using bits __attribute__((vector_size(32))) = std::int32_t; };
-template <> struct simd_register<float, 16> { using value __attribute__((vector_size(64))) = float; using bits __attribute__((vector_size(64))) = std::int32_t; };
+template <> struct simd_register<double, 2> { using ints __attribute__((vector_size(8))) = std::int32_t; using value __attribute__((vector_size(16))) = double; using bits __attribute__((vector_size(16))) = std::int64_t; };
+template <> struct simd_register<double, 4> { using ints __attribute__((vector_size(16))) = std::int32_t; using value __attribute__((vector_size(32))) = double; using bits __attribute__((vector_size(32))) = std::int64_t; };
+template <> struct simd_register<double, 8> { using ints __attribute__((vector_size(32))) = std::int32_t; using value __attribute__((vector_size(64))) = double; using bits __attribute__((vector_size(64))) = std::int64_t; };
+template <> struct simd_register<float, 4> { using ints __attribute__((vector_size(16))) = std::int32_t; using value __attribute__((vector_size(16))) = float; using bits __attribute__((vector_size(16))) = std::int32_t; };
+template <> struct simd_register<float, 8> { using ints __attribute__((vector_size(32))) = std::int32_t; using value __attribute__((vector_size(32))) = float; using bits __attribute__((vector_size(32))) = std::int32_t; };
+template <> struct simd_register<float, 16> { using ints __attribute__((vector_size(64))) = std::int32_t; using value __attribute__((vector_size(64))) = float; using bits __attribute__((vector_size(64))) = std::int32_t; };
 } // namespace detail
 
 /// W answers to a comparison of packs. Where the target has mask registers (AVX-512) a full-width mask is one bit per element; elsewhere
@@ -214,13 +214,11 @@ template <class V, class Index> BOLIDE_INLINE V gather(const scalar_t<V>* from, 
   if constexpr (lane_width<V> == 1) return from[index[0]];
   else return V::make([&](int i) { return from[index[i]]; });
 }
-/// floor of each lane as integers; |x| < 2^31.
-template <class V> BOLIDE_INLINE void floor_to_int(V x, std::int32_t* to) {
-  for (int i = 0; i < lane_width<V>; ++i) {
-    const auto xi = lane(x, i);
-    const auto t = static_cast<std::int32_t>(xi);
-    to[i] = t - (xi < static_cast<scalar_t<V>>(t) ? 1 : 0);
-  }
+/// Stores each lane, a whole number of magnitude below 2^31, as an integer.
+template <std::floating_point T> BOLIDE_INLINE void store_whole(T x, std::int32_t* to) { *to = static_cast<std::int32_t>(x); }
+template <class T, int W> BOLIDE_INLINE void store_whole(pack<T, W> x, std::int32_t* to) {
+  const auto i = __builtin_convertvector(x.v, typename detail::simd_register<T, W>::ints);
+  std::memcpy(to, &i, sizeof i);
 }
 
 } // namespace bolide

@@ -90,7 +90,7 @@ private:
       }
       offset_sum = offset_sum * T(stride) + (first - T(origin[d] - grid::window<dim, T>::reach));
     }
-    for (int i = 0; i < lane_width<V>; ++i) base[k + i] = static_cast<std::int32_t>(lane(offset_sum, i));
+    store_whole(offset_sum, base + k);
     for (int node = 0; node < nodes; ++node) {
       const int i = along(node, 0);
       if constexpr (dim == 1) {

@@ -126,14 +126,14 @@ TYPED_TEST(LaneOf, Gather) {
   for (int i = 0; i < lane_width<V>; ++i) EXPECT_EQ(lane(x, i), table[static_cast<std::size_t>(index[static_cast<std::size_t>(i)])]);
 }
 
-TYPED_TEST(LaneOf, FloorToIntOnBothSidesOfZero) {
+TYPED_TEST(LaneOf, WholeNumbersAreStoredAsIntegers) {
   using V = TypeParam;
   using T = scalar_t<V>;
-  for (const double start : {-3.0, -0.75, -0.0, 0.25, 2.0, 1e6 + 0.5, -1e6 - 0.5}) {
-    const V x = this->filled([&](int i) { return T(start) + T(0.5) * T(i); });
-    std::array<std::int32_t, 16> floors{};
-    floor_to_int(x, floors.data());
-    for (int i = 0; i < lane_width<V>; ++i) EXPECT_EQ(floors[static_cast<std::size_t>(i)], static_cast<std::int32_t>(std::floor(lane(x, i))));
+  for (const double start : {-3.0, 0.0, 2.0, 1e6, -1e6}) {
+    const V x = this->filled([&](int i) { return T(start) + T(i); });
+    std::array<std::int32_t, 16> whole{};
+    store_whole(x, whole.data());
+    for (int i = 0; i < lane_width<V>; ++i) EXPECT_EQ(whole[static_cast<std::size_t>(i)], static_cast<std::int32_t>(start) + i);
   }
 }
 
