@@ -3,7 +3,8 @@
 //
 // A model is an aggregate of its SI parameters with one pure function template on the lane type V (core/lane.hpp),
 //     template <class V> eos_point<V> evaluate(V rho, V e) const;
-// rho in kg/m3 (rho > 0), e in J/kg. A model that knows its temperature gives thermal_point<V> instead, which has more members.
+// rho in kg/m3 (rho > 0), e in J/kg. A model gives what it knows: eos_point is the least; caloric_point adds dp/de; one that knows its
+// temperature gives thermal_point. All is inlined, so that a member that the caller does not read costs nothing.
 // The answer is raw: no floor, no cut-off, no clamp. sound_speed_squared may be negative where the surface is unstable; what a
 // solver does about that is the solver's, and counted there.
 //
@@ -25,6 +26,13 @@ template <class V> struct eos_point {
   V sound_speed_squared;
 };
 
+/// The same with the derivative that inversions and analysis use.
+template <class V> struct caloric_point {
+  V pressure;
+  V sound_speed_squared;
+  V pressure_energy; // dp/de at constant density, kg/m3 (rho times the Grueneisen coefficient)
+};
+
 /// Where in its phase diagram a point lies. A lane carries it as a number (region_value) so that select() works on it.
 enum class region { solid = 0, mixed = 1, liquid = 2, hot_liquid = 3, gas = 4 };
 template <class V> constexpr scalar_t<V> region_value(region r) { return static_cast<scalar_t<V>>(static_cast<int>(r)); }
@@ -43,6 +51,8 @@ template <class V> struct thermal_point {
   V melt_fraction;       // 0 solid .. 1 liquid (1 in the gas)
   V cold_energy;         // J/kg, the part of e that is left at 0 K at this density
   V region;              // region_value
+  V pressure_energy;     // dp/de at constant density, kg/m3
+  V temperature_energy;  // dT/de at constant density, K kg/J: 1/c_v, 0 where solid and liquid coexist
 };
 
 template <class E, class V = double>
@@ -60,6 +70,8 @@ concept ThermalEquationOfState = EquationOfState<E, V> && requires(const E eos, 
   { eos.evaluate(x, x).melt_fraction } -> std::convertible_to<V>;
   { eos.evaluate(x, x).cold_energy } -> std::convertible_to<V>;
   { eos.evaluate(x, x).region } -> std::convertible_to<V>;
+  { eos.evaluate(x, x).pressure_energy } -> std::convertible_to<V>;
+  { eos.evaluate(x, x).temperature_energy } -> std::convertible_to<V>;
 };
 
 } // namespace bolide

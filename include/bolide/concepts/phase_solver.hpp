@@ -22,6 +22,7 @@ template <class V> struct phase_point {
   V melting_temperature; // K
   V melt_fraction;      // 0 .. 1
   V region;             // region_value
+  V temperature_energy; // dT/de_k at constant V, K kg/J: 0 in a mixed phase
 };
 
 template <class P, class V = double>
@@ -31,6 +32,7 @@ concept PhaseSolver = requires(const P phase, V x) {
   { phase.evaluate(x, x, x).pressure_volume } -> std::convertible_to<V>;
   { phase.evaluate(x, x, x).temperature } -> std::convertible_to<V>;
   { phase.evaluate(x, x, x).melt_fraction } -> std::convertible_to<V>;
+  { phase.evaluate(x, x, x).temperature_energy } -> std::convertible_to<V>;
 };
 
 } // namespace bolide

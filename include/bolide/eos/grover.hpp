@@ -38,7 +38,8 @@ template <class Cold, class Phase> struct grover {
     const cold_point<V> c = cold_at(x, rho * T(inverse_density_));
     const phase_point<V> h = heat_at(x, e - c.energy, volume, rho);
     const V c2 = volume * (volume * (h.thermal_pressure * h.pressure_energy - h.pressure_volume) - x * c.slope);
-    return {c.pressure + h.thermal_pressure, c2, h.temperature, h.melting_temperature, h.melt_fraction, c.energy, h.region};
+    return {c.pressure + h.thermal_pressure, c2, h.temperature, h.melting_temperature, h.melt_fraction, c.energy, h.region,
+            h.pressure_energy, h.temperature_energy};
   }
 
   double reference_density() const { return cold.reference_density(); }

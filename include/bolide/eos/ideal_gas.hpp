@@ -39,7 +39,9 @@ struct ideal_gas {
             V(T(0)),
             V(T(1)),
             V(T(0)),
-            V(region_value<V>(region::gas))};
+            V(region_value<V>(region::gas)),
+            T(q_.gamma - 1) * rho,
+            V(T(1 / q_.c_v))};
   }
 
   double reference_density() const { return q_.rho0; }

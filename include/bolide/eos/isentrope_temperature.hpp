@@ -16,6 +16,7 @@
 #include "bolide/core/contract.hpp"
 #include "bolide/core/math.hpp"
 #include "bolide/eos/lindemann.hpp"
+#include "bolide/eos/pressure_energy.hpp"
 #include "bolide/eos/polynomial_table.hpp"
 
 #include <cmath>
@@ -47,7 +48,7 @@ public:
     const V temperature = theta + e * T(inverse_c_v_), t_m = melting_.melting_temperature(V(T(1)) / eta);
     const auto molten = temperature > t_m;
     return {p.pressure, p.sound_speed_squared, temperature, t_m, select(molten, V(T(1)), V(T(0))), T(-c_v_) * theta,
-            select(molten, V(region_value<V>(region::liquid)), V(region_value<V>(region::solid)))};
+            select(molten, V(region_value<V>(region::liquid)), V(region_value<V>(region::solid))), eos::pressure_energy(eos_, rho, e), V(T(inverse_c_v_))};
   }
 
   double reference_density() const { return eos_.reference_density(); }
@@ -67,12 +68,10 @@ private:
   struct slope {
     double T, e; // d/d eta of T_s, e_s
   };
-  /// dT_s/d eta = Gamma T_s/eta, de_s/d eta = p V0/eta^2; p_e by a central difference (e moves by 1e-4 of c^2).
+  /// dT_s/d eta = Gamma T_s/eta, de_s/d eta = p V0/eta^2.
   slope at(double eta, double T, double e) const {
     const double rho0 = eos_.reference_density(), rho = eta * rho0;
-    const double step = 1e-4 * std::abs(eos_.evaluate(rho0, 0.0).sound_speed_squared);
-    const double p_e = (eos_.evaluate(rho, e + step).pressure - eos_.evaluate(rho, e - step).pressure) / (2 * step);
-    return {p_e / rho * T / eta, eos_.evaluate(rho, e).pressure / (rho0 * eta * eta)};
+    return {pressure_energy(eos_, rho, e) / rho * T / eta, eos_.evaluate(rho, e).pressure / (rho0 * eta * eta)};
   }
   /// Follows the isentrope over h in eta.
   void advance(double eta, double h, double& T, double& e) const {

@@ -51,7 +51,7 @@ struct mie_grueneisen {
     slope_guard_ = at.sound_speed_squared;
   }
 
-  template <class V> BOLIDE_INLINE eos_point<V> evaluate(V rho, V e) const {
+  template <class V> BOLIDE_INLINE caloric_point<V> evaluate(V rho, V e) const {
     using T = scalar_t<V>;
     const V inverse = V(T(1)) / rho, ratio = T(q_.rho0) * inverse, eta = V(T(1)) - ratio;
     const eos_point<V> shock = compressed(min(eta, V(T(eta_guard_))));
@@ -63,10 +63,10 @@ struct mie_grueneisen {
     if (q_.constant_gamma) {
       const V gamma_rho = T(q_.gamma0) * select(expanded, rho, V(T(q_.rho0)));
       const V p = p_ref + gamma_rho * e;
-      return {p, slope + select(expanded, T(q_.gamma0) * e, V(T(0))) + p * gamma_rho * inverse * inverse};
+      return {p, slope + select(expanded, T(q_.gamma0) * e, V(T(0))) + p * gamma_rho * inverse * inverse, gamma_rho};
     }
     const V p = p_ref + grueneisen * e;
-    return {p, slope + p * grueneisen * inverse * inverse};
+    return {p, slope + p * grueneisen * inverse * inverse, V(grueneisen)};
   }
 
   double reference_density() const { return q_.rho0; }

@@ -23,6 +23,7 @@ public:
     using T = scalar_t<V>;
     auto r = eos_.evaluate(rho * T(inverse_), e);
     r.pressure = r.pressure * T(factor_);
+    if constexpr (requires { r.pressure_energy; }) r.pressure_energy = r.pressure_energy * T(factor_);
     return r;
   }
 

@@ -32,10 +32,10 @@ struct stiffened_gas {
     require(q_.rho0 > 0, "eos::stiffened_gas rho0", q_.rho0, "> 0", "kg/m3");
   }
 
-  template <class V> BOLIDE_INLINE eos_point<V> evaluate(V rho, V e) const {
+  template <class V> BOLIDE_INLINE caloric_point<V> evaluate(V rho, V e) const {
     using T = scalar_t<V>;
     const V p = T(q_.gamma - 1) * rho * e + T(q_.gamma * q_.p_inf) * (rho * T(1 / q_.rho0) - V(T(1)));
-    return {p, T(q_.gamma) * (p + V(T(q_.p_inf))) / rho};
+    return {p, T(q_.gamma) * (p + V(T(q_.p_inf))) / rho, T(q_.gamma - 1) * rho};
   }
 
   double reference_density() const { return q_.rho0; }

@@ -47,7 +47,7 @@ struct tillotson {
     inverse_width_ = 1 / (q_.E_cv - q_.E_iv);
   }
 
-  template <class V> BOLIDE_INLINE eos_point<V> evaluate(V rho, V e) const {
+  template <class V> BOLIDE_INLINE caloric_point<V> evaluate(V rho, V e) const {
     using T = scalar_t<V>;
     const V zero(T(0)), one(T(1)), eta = rho * T(inverse_rho0_);
     const part<V> hot = hot_part(rho, e, eta), i = condensed(rho, e, eta, hot);
@@ -61,7 +61,7 @@ struct tillotson {
       r.p_rho = select(expanded, i.p_rho + weight * (iii.p_rho - i.p_rho), i.p_rho);
       r.p_e = select(expanded, i.p_e + weight * (iii.p_e - i.p_e) + weight_e * (iii.p - i.p), i.p_e);
     }
-    return {r.p, r.p_rho + r.p * r.p_e / (rho * rho)};
+    return {r.p, r.p_rho + r.p * r.p_e / (rho * rho), r.p_e};
   }
 
   double reference_density() const { return q_.rho0; }

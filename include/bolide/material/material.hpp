@@ -42,7 +42,7 @@ template <class Eos, class V> BOLIDE_INLINE thermal_point<V> evaluate_all(const 
   if constexpr (ThermalEquationOfState<Eos>) return eos.evaluate(rho, e);
   else {
     const auto p = eos.evaluate(rho, e);
-    return {p.pressure, p.sound_speed_squared, V(0), V(0), V(0), V(0), V(0)};
+    return {p.pressure, p.sound_speed_squared, V(0), V(0), V(0), V(0), V(0), V(0), V(0)};
   }
 }
 template <class V> BOLIDE_INLINE double sum(V x, int n) {

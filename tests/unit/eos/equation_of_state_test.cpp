@@ -68,7 +68,7 @@ template <class E> bool one_piece(const E& eos, double rho, double e, double dr,
   return true;
 }
 
-TYPED_TEST(EveryEos, SoundSpeedIsThePressureDerivative) {
+TYPED_TEST(EveryEos, SoundSpeedAndItsPartsAreTheDerivatives) {
   const auto& eos = this->model;
   int tried = 0;
   for (double eta = 0.523; eta < 4.2; eta += 0.0371)
@@ -83,6 +83,10 @@ TYPED_TEST(EveryEos, SoundSpeedIsThePressureDerivative) {
       const auto p = eos.evaluate(rho, e);
       expect_close(p.sound_speed_squared, p_rho + p.pressure * p_e / (rho * rho), 1e-6, 1e6,
           "c^2 at eta = " + std::to_string(eta) + " e = " + std::to_string(e));
+      expect_close(p.pressure_energy, p_e, 1e-6, 10, "dp/de at eta = " + std::to_string(eta) + " e = " + std::to_string(e));
+      if constexpr (ThermalEquationOfState<TypeParam>)
+        expect_close(p.temperature_energy, slope([&](double d) { return eos.evaluate(rho, e + d).temperature; }, de), 1e-6, 1e-3,
+            "dT/de at eta = " + std::to_string(eta) + " e = " + std::to_string(e));
       ++tried;
     }
   EXPECT_GT(tried, 2000);

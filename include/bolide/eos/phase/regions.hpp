@@ -83,7 +83,8 @@ private:
     const V p_t = branch::pressure_slope(c, v, T(q_.ge), t);
     const V nu = select(is_mixed, (e_k - E_ms) * inverse_t_m * T(inverse_latent_), select(is_solid, zero, one));
     const V where = select(is_gas, V(T(4)), select(is_hot, V(T(3)), select(is_liquid, V(T(2)), select(is_mixed, one, zero))));
-    return branch::close(c, v, T(q_.ge), t, q, q_slope, t_slope, p_t, select(is_mixed, lambda, p_t * inverse), nu, where);
+    return branch::close(c, v, T(q_.ge), t, q, q_slope, t_slope, p_t, select(is_mixed, lambda, p_t * inverse),
+                         select(is_mixed, zero, inverse), nu, where);
   }
 
   grover_parameters q_;

@@ -55,13 +55,13 @@ template <class V> BOLIDE_INLINE V energy(const coefficients<V>& c, const isocho
 /// q_slope and t_slope are V d/dV of q and of T at constant e_k; pressure_energy is V dp/de.
 template <class V>
 BOLIDE_INLINE phase_point<V> close(const coefficients<V>& c, const isochore<V>& v, scalar_t<V> ge, V temperature, V q, V q_slope, V t_slope,
-                                   V pressure_temperature, V pressure_energy, V melt_fraction, V where) {
+                                   V pressure_temperature, V pressure_energy, V temperature_energy, V melt_fraction, V where) {
   using T = scalar_t<V>;
   const V electrons = T(0.5) * c.electron * temperature * temperature, lambda = v.lambda();
   const V pv = c.lattice * temperature + ge * electrons + lambda * q;
   const V slope = c.lattice_slope * temperature + ge * v.electron_power * electrons + v.lambda_slope() * q - pv + lambda * q_slope +
                   pressure_temperature * t_slope;
-  return {pv * v.density, pressure_energy * v.density, slope * v.density * v.density, temperature, v.melting, melt_fraction, where};
+  return {pv * v.density, pressure_energy * v.density, slope * v.density * v.density, temperature, v.melting, melt_fraction, where, temperature_energy};
 }
 
 /// V dp/dT at constant V.
@@ -78,7 +78,7 @@ BOLIDE_INLINE phase_point<V> evaluate(coefficients<V> c, const isochore<V>& v, s
   const V q = v.melting * c.latent - bend, q_slope_t = -v.lambda() * (v.melting * c.latent + bend); // V dq/dV at constant T
   const V e_slope = T(0.5) * v.electron_power * c.electron * t * t + q_slope_t;                     // V de_k/dV at constant T
   const V p_t = pressure_slope(c, v, ge, t), inverse = r.inverse_capacity;
-  return close(c, v, ge, t, q, q_slope_t, -e_slope * inverse, p_t, p_t * inverse, melt_fraction, where);
+  return close(c, v, ge, t, q, q_slope_t, -e_slope * inverse, p_t, p_t * inverse, inverse, melt_fraction, where);
 }
 
 } // namespace bolide::phase::branch

@@ -29,7 +29,7 @@ struct mixed {
     const V excess = e_k - begin(v), t = v.melting, capacity = c.heat + c.electron * t;
     const V t_slope = -v.lambda() * t; // V dT_m/dV
     const V q_slope = -(T(0.5) * v.electron_power * c.electron * t * t + capacity * t_slope); // -V dE_ms/dV
-    return close(c, v, T(q.ge), t, excess, q_slope, t_slope, pressure_slope(c, v, T(q.ge), t), v.lambda(),
+    return close(c, v, T(q.ge), t, excess, q_slope, t_slope, pressure_slope(c, v, T(q.ge), t), v.lambda(), V(T(0)),
                  excess / (v.melting * T(q.dS - q.al)), V(region_value<V>(region::mixed)));
   }
 };
