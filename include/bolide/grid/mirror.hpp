@@ -56,9 +56,10 @@ public:
         if (const auto real = map.node(at); real >= 0) pairs_.push_back({node, real});
       }
     }
+    active_ = pairs_;
   }
 
-  /// A block whose image is touched is touched, and marked as holding images. Only such blocks take part in complete().
+  /// A block whose image is touched is touched, and marked as holding images. From now to the next rebuild only such blocks take part in complete().
   void spread(std::vector<char>& touched) {
     const auto block_of = [&](std::int32_t node) -> char& { return touched[static_cast<std::size_t>(node / block_map<Dim>::nodes_per_block)]; };
     active_.clear();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "bolide/grid/sparse.hpp"
+#include "bolide/material/report.hpp"
 #include "bolide/particles/columns.hpp"
 #include "bolide/solver/ledger.hpp"
 

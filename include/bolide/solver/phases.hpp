@@ -9,6 +9,7 @@
 // nodes moves; material without stress gives no force and does no work. Both leave out only additions of zero: the answer is the same.
 #pragma once
 
+#include "bolide/core/algebra.hpp"
 #include "bolide/core/field.hpp"
 #include "bolide/core/math.hpp"
 #include "bolide/grid/mirror.hpp"
@@ -63,7 +64,7 @@ public:
       if constexpr (!Scheme::stress_first)
         if (range.quiet == 0) scatter(forces_, range, [&](auto& win) {
           chunks<wants::gradients>(set, range, [&](std::size_t begin, int n, const stencil_type& st) {
-            if (carries_stress(set.columns, begin, n)) scatter_force(set, begin, n, st, win);
+            if (carries_stress(set.columns, begin, static_cast<std::size_t>(n))) scatter_force(set, begin, n, st, win);
           });
         });
     });
@@ -95,7 +96,7 @@ public:
             T l[Space::gradient_size][chunk_size];
             velocity_gradient(n, st, nodes, T(1), T(0), l);
             set.material.template update<Space>(set.columns, begin, n, l, context(true), report);
-            if (carries_stress(set.columns, begin, n)) scatter_force(set, begin, n, st, win);
+            if (carries_stress(set.columns, begin, static_cast<std::size_t>(n))) scatter_force(set, begin, n, st, win);
           });
         });
       });
@@ -178,7 +179,7 @@ public:
   /// Pressure, sound speed and the first time step from the initial state.
   void initialise_stress() {
     start_report();
-    sweep([this](auto& set, auto& range, update_report& report) { update_without_motion(set, range, report); });
+    sweep([this](auto& set, auto& range, update_report& report) { this->update_without_motion(set, range, report); });
     finish_report();
   }
 
