@@ -7,7 +7,7 @@
 //     potential_value pair(double r) const;          // phi and its first two derivatives with respect to r, r > 0
 //     potential_value density(double r) const;       // f, the same
 //     potential_value embedding(double rho) const;   // F and its first two derivatives with respect to rho, rho >= 0
-//     double reach() const;                          // angstrom: beyond it pair and density count as nothing; 20 where there is no cut-off
+//     double reach() const;                          // angstrom: beyond it pair and density count as nothing; uncut_reach where there is no cut-off
 //     double lattice_constant() const;               // angstrom: the cubic cell's edge a0, where x = V/V0 = 1
 //     lattice structure() const;                     // the crystal that has this lattice constant
 //     double mass() const;                           // of an atom, in atomic mass units
@@ -26,6 +26,9 @@ struct potential_value {
   double first;
   double second;
 };
+
+/// What reach() answers where there is no cut-off, angstrom.
+inline constexpr double uncut_reach = 20;
 
 /// The cubic crystals: face-centred (4 atoms in the cell) and body-centred (2).
 enum class lattice { fcc, bcc };
