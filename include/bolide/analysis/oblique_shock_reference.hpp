@@ -69,10 +69,11 @@ template <class Eos> double stagnation_pressure(const Eos& eos, const eos::mater
       rho = s.density, e = s.energy;
     }
   }
-  int steps = 0;
   const auto missing = [&](const isentrope_point& a) { return goal - a.e - pressure_at(eos, a) * std::exp(a.y); };
-  const isentrope_point end = follow_isentrope(eos, rho, e, false, missing, steps);
-  return pressure_at(eos, end);
+  const isentrope_arrival arrival = follow_isentrope(eos, rho, e, false, missing);
+  require(arrival.end == isentrope_end::reached, "density on the isentrope of a stagnation streamline", std::exp(-arrival.point.y),
+          "where the equation of state is stable (c^2 > 0) until the flow is at rest", "kg/m3");
+  return pressure_at(eos, arrival.point);
 }
 } // namespace detail
 
