@@ -5,6 +5,8 @@
 //   c^2 = V^2 [ p_th dp/de - dp_c/dV - dp_th/dV|e_k ]
 // The last follows from c^2 = V^2 (p p_e - p_V) with de_k/dV|e = p_c. T, T_m, melt fraction and region are the phase solver's,
 // cold_energy = e_c. e < e_c is answered by the phase solver's linear continuation (T <= 0). Nothing is floored.
+// Stated box: density up to the table of the cold curve (an exact curve: 5 rho0) and down to 1e-6 rho0, or as far as the phase solver says
+// (helm: x <= 5); e up to 200 MJ/kg (10^5 K at V0, as far as the heat terms were checked). Its lower end in energy is the cold curve.
 // Composed by hand:  eos::grover{cold::tabulated{cold::cai_ye{}}, phase::mixed{}}
 // Cost: 12 to 15 ns per call with the table in pack<double, 8> (docs/eos.md).
 #pragma once
@@ -13,8 +15,11 @@
 #include "bolide/concepts/equation_of_state.hpp"
 #include "bolide/concepts/phase_solver.hpp"
 #include "bolide/core/contract.hpp"
+#include "bolide/eos/validity.hpp"
 
+#include <limits>
 #include <utility>
+#include <vector>
 
 namespace bolide::eos {
 
@@ -43,6 +48,29 @@ template <class Cold, class Phase> struct grover {
   }
 
   double reference_density() const { return cold.reference_density(); }
+  validity_box validity() const {
+    const double rho0 = cold.reference_density();
+    double low = 1e-6, high = 5;
+    if constexpr (requires { phase.largest_volume_ratio(); }) low = 1 / phase.largest_volume_ratio();
+    if constexpr (requires { cold.eta_max(); }) high = cold.eta_max();
+    return {low * rho0, high * rho0, -std::numeric_limits<double>::infinity(), 2e8};
+  }
+  /// Where values or derivatives jump: energies (J/kg) at a density, and densities (kg/m3). A table puts its nodes there.
+  std::vector<double> energy_borders(double rho) const {
+    std::vector<double> borders;
+    if constexpr (requires { phase.energy_borders(1.0, rho); }) {
+      const double x = cold.reference_density() / rho;
+      for (const double e_k : phase.energy_borders(x, rho)) borders.push_back(cold.evaluate(x).energy + e_k);
+    }
+    return borders;
+  }
+  std::vector<double> density_borders() const {
+    if constexpr (requires { phase.border_volume_ratios(); }) {
+      std::vector<double> borders = phase.border_volume_ratios();
+      for (double& x : borders) x = cold.reference_density() / x;
+      return borders;
+    } else return {};
+  }
   /// Where the cold curve answers by its continuation: compressed beyond the table. (e < e_c shows as temperature < 0.)
   template <class V> BOLIDE_INLINE mask_t<V> outside_validity(V rho, V) const {
     using T = scalar_t<V>;

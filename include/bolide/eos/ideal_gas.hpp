@@ -5,7 +5,8 @@
 //
 // e = 0 at T = 0. There is no solid: T_m = 0 K, melt fraction 1, region gas. p = 0 only at e = 0, so that there is no ambient state:
 // give a body its density and energy(T). Compose it with strength::none and failure::none.
-// Validity: gases far from their critical point, below dissociation (air: some 2000 K). e < 0 gives p < 0 and c^2 < 0, raw, and
+// Validity: gases far from their critical point, below dissociation (air: some 2000 K), which the three parameters do not tell: the
+// stated box is e >= 0 and 1e-9 to 1e3 rho0 (beyond, no gas is ideal). e < 0 gives p < 0 and c^2 < 0, raw, and
 // outside_validity() says so. Cost: three multiplications.
 // Default: air, gamma 1.4, c_v 717.5 J/(kg K), and 1.2 kg/m3 as the reference density (bounds and first guesses only).
 #pragma once
@@ -13,6 +14,9 @@
 #include "bolide/concepts/equation_of_state.hpp"
 #include "bolide/core/contract.hpp"
 #include "bolide/core/math.hpp"
+#include "bolide/eos/validity.hpp"
+
+#include <limits>
 
 namespace bolide::eos {
 
@@ -48,6 +52,8 @@ struct ideal_gas {
   const parameters& values() const { return q_; }
   /// J/kg at temperature T (K): what a body starts with.
   double energy(double temperature) const { return q_.c_v * temperature; }
+  validity_box validity() const { return {1e-9 * q_.rho0, 1e3 * q_.rho0, 0, std::numeric_limits<double>::infinity()}; }
+  const char* branch_name(double, double) const { return "single"; }
   template <class V> BOLIDE_INLINE mask_t<V> outside_validity(V, V e) const { return e < V(scalar_t<V>(0)); }
 
 private:

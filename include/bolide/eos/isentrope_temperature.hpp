@@ -17,10 +17,13 @@
 #include "bolide/core/math.hpp"
 #include "bolide/eos/lindemann.hpp"
 #include "bolide/eos/pressure_energy.hpp"
+#include "bolide/eos/query.hpp"
 #include "bolide/eos/polynomial_table.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace bolide::eos {
 
@@ -55,10 +58,18 @@ public:
   const Eos& base() const { return eos_; }
   double heat_capacity() const { return c_v_; }
   double reference_temperature() const { return T0_; }
-  template <class V> BOLIDE_INLINE mask_t<V> outside_validity(V rho, V e) const {
-    if constexpr (requires { eos_.outside_validity(rho, e); }) return eos_.outside_validity(rho, e);
-    else return rho < V(scalar_t<V>(0));
+  /// The wrapped model's box, within the densities of the isentrope.
+  validity_box validity() const {
+    validity_box box = validity_of(eos_);
+    box.density_low = std::max(box.density_low, eta_low * eos_.reference_density());
+    box.density_high = std::min(box.density_high, theta_.left(rows - 1) * eos_.reference_density());
+    return box;
   }
+  template <class V> BOLIDE_INLINE mask_t<V> outside_validity(V rho, V e) const { return continuation_mask(eos_, rho, e); }
+  const char* branch_name(double rho, double e) const { return region_name(eos_, rho, e); }
+  /// The wrapped model's, while there are any: the jump of melt_fraction at T_m is not among them (p, c and T have none there).
+  std::vector<double> energy_borders(double rho) const { return energy_borders_of(eos_, rho); }
+  std::vector<double> density_borders() const { return density_borders_of(eos_); }
 
 private:
   static constexpr double eta_low = 0.1;

@@ -5,8 +5,10 @@
 
 #include "bolide/concepts/equation_of_state.hpp"
 #include "bolide/core/contract.hpp"
+#include "bolide/eos/query.hpp"
 
 #include <utility>
+#include <vector>
 
 namespace bolide::eos {
 
@@ -30,9 +32,21 @@ public:
   double reference_density() const { return factor_ * eos_.reference_density(); }
   double factor() const { return factor_; }
   const Eos& base() const { return eos_; }
+  validity_box validity() const {
+    validity_box box = validity_of(eos_);
+    box.density_low *= factor_;
+    box.density_high *= factor_;
+    return box;
+  }
   template <class V> BOLIDE_INLINE mask_t<V> outside_validity(V rho, V e) const {
-    if constexpr (requires { eos_.outside_validity(rho, e); }) return eos_.outside_validity(rho * scalar_t<V>(inverse_), e);
-    else return rho < V(scalar_t<V>(0));
+    return continuation_mask(eos_, rho * scalar_t<V>(inverse_), e);
+  }
+  const char* branch_name(double rho, double e) const { return region_name(eos_, rho * inverse_, e); }
+  std::vector<double> energy_borders(double rho) const { return energy_borders_of(eos_, rho * inverse_); }
+  std::vector<double> density_borders() const {
+    std::vector<double> borders = density_borders_of(eos_);
+    for (double& rho : borders) rho *= factor_;
+    return borders;
   }
 
 private:

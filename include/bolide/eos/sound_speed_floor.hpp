@@ -7,8 +7,10 @@
 #include "bolide/concepts/equation_of_state.hpp"
 #include "bolide/core/contract.hpp"
 #include "bolide/core/math.hpp"
+#include "bolide/eos/query.hpp"
 
 #include <utility>
+#include <vector>
 
 namespace bolide::eos {
 
@@ -38,10 +40,11 @@ public:
   double reference_density() const { return eos_.reference_density(); }
   double least_sound_speed_squared() const { return least_; } // m2/s2
   const Eos& base() const { return eos_; }
-  template <class V> BOLIDE_INLINE mask_t<V> outside_validity(V rho, V e) const {
-    if constexpr (requires { eos_.outside_validity(rho, e); }) return eos_.outside_validity(rho, e);
-    else return rho < V(scalar_t<V>(0));
-  }
+  validity_box validity() const { return validity_of(eos_); }
+  template <class V> BOLIDE_INLINE mask_t<V> outside_validity(V rho, V e) const { return continuation_mask(eos_, rho, e); }
+  const char* branch_name(double rho, double e) const { return region_name(eos_, rho, e); }
+  std::vector<double> energy_borders(double rho) const { return energy_borders_of(eos_, rho); }
+  std::vector<double> density_borders() const { return density_borders_of(eos_); }
 
 private:
   Eos eos_;

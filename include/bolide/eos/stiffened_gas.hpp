@@ -7,6 +7,7 @@
 // of p = 0 at rho0, so that ambient_state() and a body at rest are simple. Hugoniot from that state, exact:
 //   us = a + sqrt(a^2 + c0^2),  a = (gamma + 1) up/4,  c0^2 = gamma p_inf/rho0,  p = rho0 us up.
 // Validity: shocks in water to about 1 GPa with the default; no temperature of its own (wrap it in eos::isentrope_temperature).
+// The stated box: 0.5 to 2 rho0, and -1 to 10 times the energy gamma p_inf/((gamma - 1) rho0) that the usual form counts from.
 // p < -p_inf gives c^2 < 0, raw, and outside_validity() says so. Cost: one division.
 // Default: water, gamma 4.4, p_inf 0.6 GPa, 1000 kg/m3 (c0 = 1625 m/s).
 #pragma once
@@ -14,6 +15,7 @@
 #include "bolide/concepts/equation_of_state.hpp"
 #include "bolide/core/contract.hpp"
 #include "bolide/core/math.hpp"
+#include "bolide/eos/validity.hpp"
 
 namespace bolide::eos {
 
@@ -40,6 +42,10 @@ struct stiffened_gas {
 
   double reference_density() const { return q_.rho0; }
   const parameters& values() const { return q_; }
+  validity_box validity() const {
+    const double shift = q_.gamma * q_.p_inf / ((q_.gamma - 1) * q_.rho0);
+    return {0.5 * q_.rho0, 2 * q_.rho0, -shift, 10 * shift};
+  }
   template <class V> BOLIDE_INLINE mask_t<V> outside_validity(V rho, V e) const {
     return evaluate(rho, e).pressure < V(scalar_t<V>(-q_.p_inf));
   }

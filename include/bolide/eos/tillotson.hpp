@@ -9,12 +9,16 @@
 // p is continuous; c^2 jumps at rho0 (for e > E_iv), E_iv and E_cv, as the formula has it. Raw: no cut-off in density or pressure;
 // cold expansion pulls (-12 GPa at eta = 0.8) and c^2 < 0 below eta = 0.75.
 // Guard: b/w has a pole at e = -E0 eta^2. w is kept above 0.1, which only e < -0.9 E0 eta^2 reaches; outside_validity() says where.
+// Stated box: 1e-6 to 5 rho0, -0.05 to 2000 E0 (2000 E0 is 10 GJ/kg: a hot gas of Gamma = a, as high as the fits to Thomas-Fermi went).
 // Default: aluminium (rho0 2700; E_cv 13.9 MJ/kg as in public codes, others print 15). No temperature: wrap in isentrope_temperature.
 #pragma once
 
 #include "bolide/concepts/equation_of_state.hpp"
 #include "bolide/core/contract.hpp"
 #include "bolide/core/math.hpp"
+#include "bolide/eos/validity.hpp"
+
+#include <vector>
 
 namespace bolide::eos {
 
@@ -66,6 +70,15 @@ struct tillotson {
 
   double reference_density() const { return q_.rho0; }
   const parameters& values() const { return q_; }
+  validity_box validity() const { return {1e-6 * q_.rho0, 5 * q_.rho0, -0.05 * q_.E0, 2000 * q_.E0}; }
+  /// The branch of the table above that answers.
+  const char* branch_name(double rho, double e) const {
+    if (rho >= q_.rho0) return "compressed";
+    return e <= q_.E_iv ? "expanded_cold" : e < q_.E_cv ? "transition" : "expanded_hot";
+  }
+  /// Where derivatives jump: energies (J/kg) at a density, and densities (kg/m3). A table puts its nodes there.
+  std::vector<double> energy_borders(double) const { return {q_.E_iv, q_.E_cv}; }
+  std::vector<double> density_borders() const { return {q_.rho0}; }
   template <class V> BOLIDE_INLINE mask_t<V> outside_validity(V rho, V e) const {
     using T = scalar_t<V>;
     const V eta = rho * T(inverse_rho0_);

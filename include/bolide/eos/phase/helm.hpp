@@ -10,6 +10,7 @@ namespace bolide::phase {
 
 struct helm : regions<helmholtz, true, false> {
   using regions::regions;
+  double largest_volume_ratio() const { return 5; } // x, where the electrons have taken over
 };
 static_assert(PhaseSolver<helm>);
 

@@ -14,6 +14,8 @@
 #include "bolide/eos/phase/branch/mixed.hpp"
 #include "bolide/eos/phase/branch/solid.hpp"
 
+#include <vector>
+
 namespace bolide::phase {
 
 /// Law: published or helmholtz. HasMixed, HasGas: which regions exist.
@@ -50,6 +52,20 @@ public:
       return branch::evaluate(c, v, T(q_.ge), e_k, zero, zero);
     }
     return any_region(v, e_k, E_ms, E_m, is_solid, is_gas);
+  }
+
+  /// E_ms (if there is a mixed phase), E_m and E_G at the volume ratio x, J/kg, rising: where the regions meet.
+  std::vector<double> energy_borders(double x, double density) const {
+    const isochore<double> v = at(x, density);
+    const double t_m = v.melting, solidus = t_m * (3 * q_.R + 0.5 * v.electron * t_m), liquidus = solidus + t_m * (q_.dS - q_.al);
+    const double hot = t_m * (1.5 * q_.R * hot_ + K_ + 0.5 * hot_ * hot_ * v.electron * t_m);
+    if constexpr (HasMixed) return {solidus, liquidus, hot};
+    else return {liquidus, hot};
+  }
+  /// Volume ratios at which another region takes over at every energy: the gas's, if there is one.
+  std::vector<double> border_volume_ratios() const {
+    if constexpr (HasGas) return {q_.xj};
+    else return {};
   }
 
 private:
