@@ -11,6 +11,6 @@ namespace bolide::cold {
 using fcc_shell = potential::shell;
 
 /// All shells with distance <= reach (in lattice constants), nearest first, the origin left out.
-inline std::vector<fcc_shell> fcc_shells(double reach) { return potential::shells(lattice::fcc, reach); }
+inline std::vector<fcc_shell> fcc_shells(double reach) { return potential::shells(bolide::lattice::fcc, reach); }
 
 } // namespace bolide::cold
