@@ -2,8 +2,9 @@
 # Sourced by examples/run.sh and tests/run.sh: installs what is missing, configures and builds. Everything here talks to standard
 # error and reads nothing from standard input, so that both stay the program's own.
 #
-#   bolide_packages [clang]       makes sure that compiler, tools and libraries are there
-#   bolide_build TARGET...        configures once, builds the targets; sets BOLIDE_BUILD to the build folder
+#   bolide_packages [clang]           makes sure that compiler, tools and libraries are there
+#   bolide_optional PACKAGE COMMAND   installs the package if the command is not on the path; goes on without it where that fails
+#   bolide_build TARGET...            configures once, builds the targets; sets BOLIDE_BUILD to the build folder
 #
 # Environment: BOLIDE_PRESET (default release), BOLIDE_JOBS, BOLIDE_SKIP_PACKAGES=1 (libraries lie where the probe does not look).
 # shellcheck shell=bash
@@ -60,6 +61,21 @@ bolide_packages() {
   ((${#missing[@]} == 0)) || bolide_fail "still missing after the installation: ${missing[*]}"
 }
 
+# Never asks and never fails: who runs the command looks for it.
+bolide_optional() {
+  local package=$1 command=$2 as_root=()
+  [[ ${BOLIDE_SKIP_PACKAGES-} == 1 ]] && return 0
+  command -v "$command" >/dev/null && return 0
+  if command -v apt-get >/dev/null && { ((EUID == 0)) || command -v sudo >/dev/null; }; then
+    ((EUID == 0)) || as_root=(sudo -n)
+    bolide_say "installing $package"
+    local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -o Dpkg::Use-Pty=0 -o Acquire::Retries=0 -o Acquire::http::Timeout=20)
+    local install=("${apt[@]}" install -y --no-install-recommends "$package")
+    "${install[@]}" </dev/null >&2 || { "${apt[@]}" update </dev/null >&2 && "${install[@]}" </dev/null >&2; }
+  fi
+  command -v "$command" >/dev/null || bolide_say "$package ($command) is not there and could not be installed; what needs it is skipped"
+}
+
 # One compiler per core, but none without 1.2 GB of memory.
 bolide_jobs() {
   local cores memory
@@ -72,7 +88,7 @@ bolide_jobs() {
 }
 
 bolide_build() {
-  local preset=${BOLIDE_PRESET:-release} log
+  local preset=${BOLIDE_PRESET:-release}
   BOLIDE_BUILD=$bolide_root/build/$preset
   # A build folder of another checkout (a copied tree) is of no use.
   if [[ -f $BOLIDE_BUILD/CMakeCache.txt ]] && ! grep -q -x -F "CMAKE_HOME_DIRECTORY:INTERNAL=$bolide_root" "$BOLIDE_BUILD/CMakeCache.txt"; then

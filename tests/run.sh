@@ -8,6 +8,7 @@ set -u
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 source "$here/../cmake/packages.sh"
 bolide_packages clang
+bolide_optional lammps lmp # tests/validate/lammps_test.cpp
 bolide_build all
 export CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-$(nproc 2>/dev/null || echo 2)}
 export OMP_WAIT_POLICY=${OMP_WAIT_POLICY:-passive} # tests share the cores: threads that spin would take them from one another
