@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Any equation of state of the library as an any_eos.
+#pragma once
+
+#include "any_eos.hpp"
+
+#include "bolide/eos/query.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace explorer {
+
+/// What the output says of a model beside its numbers.
+enum class phases {
+  by_region,  // solid, mixed, liquid, hot_liquid, gas
+  by_formula, // the model's own names of the formulae that it is pieced together from
+  single
+};
+
+template <class Eos> class adapted_eos : public any_eos {
+public:
+  adapted_eos(Eos eos, phases named) : eos_(std::move(eos)), named_(named) {}
+
+  bolide::thermal_point<double> evaluate(double rho, double e) const override {
+    const auto r = eos_.evaluate(rho, e);
+    const double none = std::nan("");
+    if constexpr (bolide::ThermalEquationOfState<Eos>) return r;
+    else return {r.pressure, r.sound_speed_squared, none, none, none, none, none, bolide::eos::pressure_energy(eos_, rho, e), none};
+  }
+  double reference_density() const override { return eos_.reference_density(); }
+  bool knows_temperature() const override { return bolide::ThermalEquationOfState<Eos>; }
+  bool knows_melting() const override { return named_ == phases::by_region; }
+  std::string region(double rho, double e) const override {
+    return named_ == phases::single ? "single" : bolide::eos::region_name(eos_, rho, e);
+  }
+  std::string status(double rho, double e) const override {
+    const auto r = eos_.evaluate(rho, e);
+    if (!std::isfinite(r.pressure) || !std::isfinite(r.sound_speed_squared)) return "not_finite";
+    return bolide::eos::name(bolide::eos::status_at(eos_, rho, e, r));
+  }
+  bolide::eos::validity_box validity() const override { return bolide::eos::validity_of(eos_); }
+
+private:
+  Eos eos_;
+  phases named_;
+};
+
+template <class Eos> eos_pointer adapt(Eos eos, phases named) {
+  return std::make_shared<adapted_eos<Eos>>(std::move(eos), named);
+}
+
+} // namespace explorer

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// A cold curve chosen at run time; itself a ColdCurve, so that every phase model is compiled once for all of them.
+#pragma once
+
+#include "parameters.hpp"
+
+#include "bolide/concepts/cold_curve.hpp"
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace explorer {
+
+class any_cold {
+public:
+  template <class Cold> explicit any_cold(Cold cold) : model_(std::make_shared<model<Cold>>(std::move(cold))) {}
+  bolide::cold_point<double> evaluate(double x) const { return model_->evaluate(x); }
+  double reference_density() const { return model_->reference_density(); }
+
+private:
+  struct role {
+    virtual ~role() = default;
+    virtual bolide::cold_point<double> evaluate(double x) const = 0;
+    virtual double reference_density() const = 0;
+  };
+  template <class Cold> struct model : role {
+    Cold cold;
+    explicit model(Cold c) : cold(std::move(c)) {}
+    bolide::cold_point<double> evaluate(double x) const override { return cold.evaluate(x); }
+    double reference_density() const override { return cold.reference_density(); }
+  };
+  std::shared_ptr<const role> model_;
+};
+static_assert(bolide::ColdCurve<any_cold>);
+
+/// The curve of that name, its parameters taken from `set`; as a table if asked. Throws bolide::bad_parameter for an unknown name.
+any_cold make_cold(const std::string& name, assignments& set, bool table);
+
+struct cold_entry {
+  std::string name, source;
+};
+const std::vector<cold_entry>& all_cold_curves();
+
+} // namespace explorer
