@@ -3,7 +3,7 @@
 //
 //   de = -p dV,   du = c d ln V,   followed in y = ln V by an embedded Runge-Kutta pair of order 5(4) (Dormand-Prince)
 // u is the gain of speed of material that expands (du = -dp/(rho c) along the wave): a free surface moves at up + u. Compression loses.
-//   isentrope    sampled at given densities, or evenly between two
+//   isentrope    sampled evenly between two densities;   isentrope_at: at given ones
 //   release      from a shock state down to a pressure, the particle speed from up on
 // The step is controlled at 1e-10 of the scale (e: |e| + 1e-4 c0^2, u: |u| + 1e-4 c0, c0 the sound speed at the start); kinks and jumps
 // at phase borders only shorten it (to 1e-9 in ln V at most). Where c^2 <= 0 (spinodal, or a jump of the equation of state into such
@@ -211,8 +211,9 @@ inline std::vector<double> even_densities(double a, double b, int n) {
 
 /// The isentrope through (rho, e) at the given densities, which lie in order on one side of rho (rho itself may be the first).
 /// The particle speed starts from `speed` (m/s).
-template <class Eos> isentrope_curve isentrope(const Eos& eos, double rho, double e, const std::vector<double>& densities, double speed = 0) {
-  static_assert(EquationOfState<Eos>, "bolide: analysis::isentrope needs an EquationOfState.");
+template <class Eos>
+isentrope_curve isentrope_at(const Eos& eos, double rho, double e, const std::vector<double>& densities, double speed = 0) {
+  static_assert(EquationOfState<Eos>, "bolide: analysis::isentrope_at needs an EquationOfState.");
   require(!densities.empty(), "number of densities on an isentrope", 0, ">= 1");
   const bool expanding = densities.back() <= rho;
   isentrope_curve curve{{}, isentrope_end::reached, {}};
@@ -236,7 +237,7 @@ template <class Eos> isentrope_curve isentrope(const Eos& eos, double rho, doubl
 /// n states (both ends included), evenly spaced in density from rho to rho_end.
 template <class Eos> isentrope_curve isentrope(const Eos& eos, double rho, double e, double rho_end, int n) {
   require(rho_end > 0, "density at the end of an isentrope", rho_end, "> 0", "kg/m3");
-  return isentrope(eos, rho, e, detail::even_densities(rho, rho_end, n));
+  return isentrope_at(eos, rho, e, detail::even_densities(rho, rho_end, n));
 }
 
 /// The release of a shock state to pressure p_end (Pa): n states evenly spaced in density, the particle speed from up on. Where the
@@ -247,7 +248,7 @@ template <class Eos> isentrope_curve release(const Eos& eos, const shock_state& 
   const auto above = [&](const detail::isentrope_point& a) { return detail::pressure_at(eos, a) - p_end; };
   const auto arrival = detail::follow_isentrope(eos, from.density, from.energy, true, above);
   const double rho = std::exp(-arrival.point.y);
-  auto curve = isentrope(eos, from.density, from.energy, detail::even_densities(from.density, rho, n), from.particle_speed);
+  auto curve = isentrope_at(eos, from.density, from.energy, detail::even_densities(from.density, rho, n), from.particle_speed);
   curve.states.back() = detail::isentrope_state_at(eos, arrival.point, from.particle_speed);
   curve.end = arrival.end;
   curve.message = detail::isentrope_sentence(arrival.end, rho);
