@@ -9,7 +9,8 @@
 //   e* = e + dt/2 (sigma : D) / rho - e_shear,    e_shear = s:s / (4 G rho)   (elastic shear energy is no heat),
 // second order in dt.
 //
-// Failed points. A failed point carries no shear and no tension. When it expands further, its material stays at the volume
+// Failed points. A failed point carries no shear and no tension. It fills its volume as long as its pressure there is positive. When it
+// expands further, its material stays at the volume
 // V_m of zero pressure (p(V_m, e) = 0, one Newton step per time step: dV = V p / (rho c^2)) and a void opens: V = V_m + void. It
 // carries pressure again when the void has closed. Density, temperature and phase are those of V_m, so that they mean something.
 // Once Newton's step is round-off the point is settled: only its void changes, and the equation of state is not asked again.
@@ -170,7 +171,8 @@ private:
     // kinematics
     const V divergence = Space::divergence(l);
     const V ratio = step.gradient_at_end ? one / Space::jacobian(l, -dt) : Space::jacobian(l, dt);
-    V volume = load<V>(p.template get<field::volume>() + at) * ratio;
+    const V volume_before = load<V>(p.template get<field::volume>() + at);
+    V volume = volume_before * ratio;
     const V largest = mass * T(expansion_limit / eos.reference_density());
     if (const auto over = volume > largest && active; any(over)) {
       report.floors.add(floor_kind::expansion, count(over));
@@ -194,7 +196,8 @@ private:
     if constexpr (Failure::may_fail) {
       const V state_of_failure = load<V>(p.template get<field::failed>() + at);
       failed = state_of_failure > zero;
-      own_volume = select(failed, min(volume, load<V>(p.template get<field::material_volume>() + at)), volume);
+      const V own_before = load<V>(p.template get<field::material_volume>() + at);
+      own_volume = select(failed && own_before < volume_before, min(volume, own_before), volume); // without a void it fills all there is
       if (!any(!(state_of_failure > one && volume > own_volume) && active)) { // all settled
         store_first(volume, p.template get<field::volume>() + at, n);
         limit_step<Space, V>(p, at, n, l, divergence, zero, zero, step, report);
