@@ -8,7 +8,10 @@
 #include "bolide/eos/cold/rose.hpp"
 #include "bolide/eos/cold/tabulated.hpp"
 #include "bolide/eos/cold/vinet.hpp"
+#include "bolide/potential/setfl.hpp"
 #include "bolide/potential/zhou04.hpp"
+
+#include <filesystem>
 
 namespace explorer {
 namespace {
@@ -34,6 +37,14 @@ any_cold make_zhou04(assignments& set) {
   return any_cold(bolide::cold::lattice(bolide::potential::zhou04(q)));
 }
 
+/// setfl:FILE, or setfl:FILE:ELEMENT for a file with several.
+any_cold make_setfl(const std::string& where) {
+  std::string file = where, element;
+  if (const auto colon = where.rfind(':'); colon != std::string::npos && !std::filesystem::exists(where))
+    file = where.substr(0, colon), element = where.substr(colon + 1);
+  return any_cold(bolide::cold::lattice(bolide::potential::setfl::read(file, element)));
+}
+
 any_cold make_rose(assignments& set) {
   bolide::cold::rose_parameters q;
   set.apply({{"density", "kg/m3", &q.density}, {"bulk_modulus", "Pa", &q.bulk_modulus}, {"cohesive_energy", "J/kg", &q.cohesive_energy}});
@@ -56,6 +67,7 @@ any_cold make_exact(const std::string& name, assignments& set) {
   if (name == "rose") return make_rose(set);
   if (name == "vinet") return make_from_moduli<cold::vinet, cold::vinet_parameters>(set);
   if (name == "bm3") return make_from_moduli<cold::birch_murnaghan, cold::birch_murnaghan_parameters>(set);
+  if (name.rfind("setfl:", 0) == 0) return make_setfl(name.substr(6));
   std::string list;
   for (const auto& entry : all_cold_curves()) list += (list.empty() ? "" : ", ") + entry.name;
   throw bolide::bad_parameter("'" + name + "': no such cold curve; there are " + list);
@@ -65,12 +77,13 @@ any_cold make_exact(const std::string& name, assignments& set) {
 
 const std::vector<cold_entry>& all_cold_curves() {
   static const std::vector<cold_entry> all = {
-      {"cai-ye", "Cai and Ye 1996, summed to 20 angstrom"},
-      {"cai-ye-sharp", "Cai and Ye 1996, cut off at 1.65 a0 as published"},
-      {"zhou04", "Zhou, Johnson and Wadley 2004"},
+      {"cai-ye", "Cai and Ye 1996; summed to 20 angstrom"},
+      {"cai-ye-sharp", "Cai and Ye 1996; cut off at 1.65 a0 as published"},
+      {"zhou04", "Zhou and Johnson and Wadley 2004"},
       {"rose", "Rose 1984; Johnson's nearest-neighbour potential exactly"},
       {"vinet", "Vinet 1987"},
       {"bm3", "Birch-Murnaghan of third order"},
+      {"setfl:FILE", "any embedded-atom potential in setfl form (setfl:FILE:ELEMENT where there are several)"},
   };
   return all;
 }

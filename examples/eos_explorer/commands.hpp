@@ -15,7 +15,8 @@ namespace explorer {
 struct request {
   int exit_code = -1; // 0 and above: end at once with this
   std::string command;
-  model_choice model, other; // --eos --cold --set; --eos2 --cold2 --set2
+  model_choice model; // --eos --cold --set --table
+  model_choice other{"", "cai-ye", {}, false}; // --eos2 --cold2 --set2
   std::string in, out, plot;
   std::optional<std::string> input;         // CSV at hand, instead of --in or standard input
   std::vector<std::string> compare;         // further names for the plot

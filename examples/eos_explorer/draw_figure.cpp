@@ -36,7 +36,7 @@ range nice_range(double low, double high) {
 range with_margin(range r, double low, double high) {
   const double width = r.high - r.low;
   if (r.high - high < 0.02 * width) r.high += 0.5 * r.step;
-  if (r.low != 0 && low - r.low < 0.02 * width) r.low -= 0.5 * r.step;
+  if ((r.low != 0 || low < -0.003 * width) && low - r.low < 0.02 * width) r.low -= 0.5 * r.step;
   return r;
 }
 

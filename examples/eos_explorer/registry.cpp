@@ -7,14 +7,14 @@ namespace explorer {
 
 const std::vector<eos_entry>& all_equations_of_state() {
   static const std::vector<eos_entry> all = {
-      {"paper", "phase parameters of the paper, section 3", true, true, make_paper},
-      {"mixed", "phase parameters of the paper, with a mixed phase", true, true, make_mixed},
-      {"helm", "phase parameters of the paper, one free energy", true, true, make_helm},
+      {"paper", "phase parameters of the paper (section 3)", true, true, make_paper},
+      {"mixed", "phase parameters of the paper; with a mixed phase", true, true, make_mixed},
+      {"helm", "phase parameters of the paper; one free energy", true, true, make_helm},
       {"mie-gruneisen", "2024-T4: LASL shock data (from memory)", false, true, make_mie_grueneisen},
       {"tillotson", "aluminium as in public codes (Ecv also printed as 15 MJ/kg)", false, true, make_tillotson},
       {"ideal-gas", "air", false, false, make_ideal_gas},
       {"stiffened-gas", "water", false, false, make_stiffened_gas},
-      {"jwl", "a fit belongs to one explosive: rho0, A, B, R1, R2, omega", false, false, make_jwl},
+      {"jwl", "a fit belongs to one explosive: rho0 A B R1 R2 omega", false, false, make_jwl},
   };
   return all;
 }
