@@ -52,7 +52,7 @@ TEST(Isotherm, RoomTemperatureOfAluminium) { // measured 220 GPa at V/V0 = 0.5 (
   const auto at = analysis::isotherm(mixed, 300, {ambient.density, ambient.density / 0.5});
   EXPECT_NEAR(at[0].pressure, 0, 1e5);
   EXPECT_NEAR(at[0].energy / ambient.energy, 1, 1e-9);
-  EXPECT_NEAR(at[1].pressure / 1e9, 237, 10);
+  EXPECT_NEAR(at[1].pressure / 1e9, 238.6, 0.1); // 8.5 % high
   EXPECT_THROW(analysis::isotherm(mixed, 0, {2700}), bad_parameter);
   EXPECT_THROW(analysis::isotherm(mixed, 300, {-1}), bad_parameter);
 }
