@@ -147,9 +147,9 @@ TEST(Tabulated, ErrorIsAsMeasuredOnRandomPoints) {
     e = std::max(e, std::abs(a.energy - b.energy) / (std::abs(b.energy) + GPa / exact.reference_density()));
     s = std::max(s, std::abs(a.slope - b.slope) / (std::abs(b.slope) + GPa));
   }
-  EXPECT_LE(p, 1.2 * table.error().pressure);
-  EXPECT_LE(e, 1.2 * table.error().energy);
-  EXPECT_LE(s, 1.2 * table.error().slope);
+  EXPECT_LE(p, table.error().pressure);
+  EXPECT_LE(e, table.error().energy);
+  EXPECT_LE(s, table.error().slope);
   EXPECT_GT(p, 0.1 * table.error().pressure); // the stated error is no fantasy either
 }
 
@@ -163,7 +163,7 @@ TEST(Tabulated, ErrorFallsWithTheFourthPowerOfTheStep) {
 TEST(Tabulated, SharpCutoffCannotBeTabulatedBetterThanItsJumps) {
   const cold::tabulated table{cold::cai_ye{cold::cutoff::sharp}, 5, 2000};
   EXPECT_GT(table.error().pressure, 1e-4);
-  EXPECT_LT(table.error().pressure, 5e-3);
+  EXPECT_LT(table.error().pressure, 1e-2); // the jump at x = 1.1364 alone is 43 MPa of (7.4 + 1) GPa: 5e-3
 }
 
 TEST(Tabulated, PressureIsMinusTheEnergySlope) {

@@ -2,8 +2,8 @@
 // A cold curve from a user's two columns: a volume and a pressure, or a volume and an energy.
 //
 //   pressure given:  p_c(x) is the C2 cubic spline through the points (not-a-knot ends); where it would overshoot between points that
-//                    rise or fall together, the slopes there are cut back (Hyman 1983), so p_c is monotone wherever the points are and
-//                    C1 there; e_c = -(1/rho0) integral of p_c dx, exact, zero at x = 1
+//                    rise or fall together, the slopes there are cut back (Hyman 1983), so p_c is monotone there too, and C1; next to a
+//                    turning point of the points nothing is cut; e_c = -(1/rho0) integral of p_c dx, exact, zero at x = 1
 //   energy given:    e_c(x) is the C2 cubic spline less its value at x = 1; p_c = -rho0 de_c/dx, its slope continuous. Nothing is cut
 //                    back: an energy is no monotone function. The pressure has an order less than the energy's fourth: give many
 //                    digits and points
@@ -164,14 +164,15 @@ private:
   }
 
   // ---- the curve ---------------------------------------------------------------------------------------------------------------
-  /// Cuts slopes back so that each piece is monotone where the points around are.
+  /// Cuts slopes back so that each piece is monotone where the points around it are; next to a turning point nothing is cut.
   static void keep_monotone(std::span<const double> x, std::span<const double> y, std::vector<double>& slope) {
+    const std::size_t last = x.size() - 2;
     const auto d = [&](std::size_t i) { return (y[i + 1] - y[i]) / (x[i + 1] - x[i]); };
     for (std::size_t i = 0; i < x.size(); ++i) {
-      const double left = d(i > 0 ? i - 1 : 0), right = d(std::min(i, x.size() - 2));
-      if (left * right <= 0) continue; // an extremum of the points: nothing to keep
+      const double left = d(i > 0 ? i - 1 : 0), right = d(std::min(i, last)), far_left = d(i > 1 ? i - 2 : 0), far_right = d(std::min(i + 1, last));
+      if (left * right < 0 || far_left * right < 0 || left * far_right < 0) continue;
       const double most = 3 * std::min(std::abs(left), std::abs(right));
-      slope[i] = left > 0 ? std::clamp(slope[i], 0.0, most) : std::clamp(slope[i], -most, 0.0);
+      slope[i] = left + right > 0 ? std::clamp(slope[i], 0.0, most) : std::clamp(slope[i], -most, 0.0);
     }
   }
 
