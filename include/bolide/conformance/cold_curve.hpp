@@ -134,8 +134,8 @@ private:
       const double scale_p = std::max(pressure_scale(at(a), a), pressure_scale(at(b), b)), scale_e = std::max(energy_scale(at(a), a), energy_scale(at(b), b));
       const jump p = find_jump([&](double x) { return at(x).pressure; }, a, b, jump_bound * scale_p);
       const jump e = find_jump([&](double x) { return at(x).energy; }, a, b, jump_bound * scale_e);
-      pressure.add(p.size / scale_p, p.at);
-      energy.add(e.size / scale_e, e.at);
+      pressure.add(p.size / scale_p, p.size > 0 ? p.at : a);
+      energy.add(e.size / scale_e, e.size > 0 ? e.at : a);
     }
     close(pressure);
     close(energy);

@@ -5,9 +5,9 @@
 // either side (error h^4). Beside a border (a kink, a jump) at least one side sees one smooth piece only, and that one must agree; where a
 // claim is wrong none does, whatever the step. So the figure is the least deviation of them all, and a border needs no detecting.
 //
-// find_jump: the largest jump of f between two arguments, or 0. The interval is cut in eight, and the piece whose rise deviates most from
-// the median rise is cut again: for a smooth f the deviation falls 64 times at each cut, at a kink 8 times, at a jump it stays. What is left
-// when the piece is as narrow as round-off allows is the jump.
+// find_jump: the largest jump of f between two arguments, or 0. The interval is cut in eight; each piece whose rise deviates from what its
+// neighbours' rises let expect is cut again. Where f is smooth the deviation falls some 500 times at each cut, at a kink 8 times, at a jump
+// it stays: what is left when the piece is as narrow as round-off allows is the jump. A piece without deviation holds none.
 #pragma once
 
 #include <algorithm>
@@ -57,28 +57,49 @@ struct jump {
   double at;
 };
 
+namespace detail {
+template <class F> class jump_search {
+public:
+  jump_search(const F& f, double smallest) : f_(f), smallest_(smallest) {}
+
+  jump run(double low, double high) {
+    search(low, high, f_(low), f_(high), 0);
+    return largest_;
+  }
+
+private:
+  static constexpr std::size_t pieces = 8;
+
+  void search(double low, double high, double f_low, double f_high, int cuts) {
+    if (high - low <= 1e-14 * std::max(std::abs(low), std::abs(high)) || cuts == 24) {
+      const double size = std::abs(f_high - f_low);
+      if (size > smallest_ && size > largest_.size) largest_ = {size, low};
+      return;
+    }
+    std::array<double, pieces + 1> x, value;
+    std::array<double, pieces> rise;
+    for (std::size_t i = 0; i <= pieces; ++i) x[i] = i == pieces ? high : low + (high - low) * static_cast<double>(i) / pieces;
+    for (std::size_t i = 0; i <= pieces; ++i) value[i] = i == 0 ? f_low : i == pieces ? f_high : f_(x[i]);
+    for (std::size_t i = 0; i < pieces; ++i) rise[i] = value[i + 1] - value[i];
+    calls_ += pieces - 1;
+    for (std::size_t i = 0; i < pieces; ++i) {
+      const std::size_t middle = std::clamp<std::size_t>(i, 1, pieces - 2);
+      const double expected = i == middle ? 0.5 * (rise[i - 1] + rise[i + 1]) : 2 * rise[middle] - rise[i < middle ? 2 : pieces - 3];
+      if (std::abs(rise[i] - expected) > smallest_ && calls_ < most_calls) search(x[i], x[i + 1], value[i], value[i + 1], cuts + 1);
+    }
+  }
+
+  static constexpr std::size_t most_calls = 5000; // a staircase has been seen by then
+  const F& f_;
+  double smallest_;
+  jump largest_{0, std::nan("")};
+  std::size_t calls_ = 0;
+};
+} // namespace detail
+
 /// Jumps smaller than `smallest` are not looked for.
 template <class F> jump find_jump(const F& f, double low, double high, double smallest) {
-  constexpr std::size_t pieces = 8;
-  for (int cut = 0; cut < 24; ++cut) {
-    std::array<double, pieces + 1> value;
-    std::array<double, pieces> rise, sorted;
-    const auto place = [&](std::size_t i) { return low + (high - low) * static_cast<double>(i) / pieces; };
-    for (std::size_t i = 0; i <= pieces; ++i) value[i] = f(i == pieces ? high : place(i));
-    for (std::size_t i = 0; i < pieces; ++i) sorted[i] = rise[i] = value[i + 1] - value[i];
-    std::nth_element(sorted.begin(), sorted.begin() + pieces / 2, sorted.end());
-    const double median = sorted[pieces / 2];
-    const auto off = [&](std::size_t i) { return std::abs(rise[i] - median); };
-    std::size_t worst = 0;
-    for (std::size_t i = 1; i < pieces; ++i)
-      if (off(i) > off(worst)) worst = i;
-    if (!(off(worst) > smallest)) return {0, low};
-    const double left = place(worst), right = worst + 1 == pieces ? high : place(worst + 1);
-    low = left, high = right;
-    if (high - low <= 1e-14 * std::max(std::abs(low), std::abs(high))) break;
-  }
-  const double size = std::abs(f(high) - f(low));
-  return {size > smallest ? size : 0, low};
+  return detail::jump_search<F>(f, smallest).run(low, high);
 }
 
 } // namespace bolide::conformance

@@ -197,7 +197,7 @@ private:
         const eos_sample s = at(rho, e);
         const auto m = sound_speed_error(s, rho, e);
         sound.add(m.error, rho / rho0_, e);
-        beside_border += m.one_sided ? 1 : 0;
+        beside_border += m.one_sided && m.error <= derivative_bound ? 1 : 0;
         if constexpr (has_pressure_energy) pressure_energy.add(pressure_energy_error(s, rho, e), rho / rho0_, e);
         if constexpr (has_temperature) {
           temperature_energy.add(temperature_energy_error(s, rho, e), rho / rho0_, e);
@@ -274,7 +274,7 @@ private:
       j.places += size > j.found.bound() * scale ? 1 : 0;
     };
     const jump f = find_jump([&](double s) { return value(s).*(j.member); }, low, high, j.found.bound() * scale);
-    take(f.size, f.at);
+    take(f.size, f.size > 0 ? f.at : low);
     if (a.region == b.region) return;
     for (int i = 0; i < 200 && low < high; ++i) { // to the change of region itself
       const double middle = 0.5 * (low + high);
@@ -346,7 +346,7 @@ private:
   }
 
   void limits() {
-    measure thin = start("thin_limit", 10), cold = start("cold_limit", 1e-6);
+    measure thin = start("thin_limit", 100), cold = start("cold_limit", 1e-6);
     const double rho = rho0_ * o_.lowest_density_ratio;
     for (const double e : e_)
       if (!outside(rho, e)) {
