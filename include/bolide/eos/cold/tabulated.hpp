@@ -23,7 +23,7 @@
 namespace bolide::cold {
 
 /// A bound on the deviation of a table from its exact curve, evaluated in double: the deviation is measured at fifteen places of every
-/// interval, the ends among them. Between two of them, a and b, it is taken to rise above the larger one by at most half the largest
+/// interval, the ends among them. Between two of them, a and b, it is taken to rise above the larger one by at most the largest
 /// difference there and next to them, as where the curve jumps or kinks; the largest of these is raised by a tenth, and by round_off.
 struct table_error {
   double pressure = 0; // |p - exact| / (|p| + 1 GPa)
@@ -130,7 +130,7 @@ private:
     double most = 0;
     for (std::size_t k = 0; k + 1 < N; ++k) {
       const double steepest = std::max({step(k > 0 ? k - 1 : 0), step(k), step(k + 1)});
-      most = std::max(most, std::max(std::abs(found[k].*what), std::abs(found[k + 1].*what)) + 0.5 * steepest);
+      most = std::max(most, std::max(std::abs(found[k].*what), std::abs(found[k + 1].*what)) + steepest);
     }
     return table_error::margin * most + table_error::round_off;
   }
