@@ -63,7 +63,8 @@ TEST(SecondaryHugoniot, StiffenedGasFromAShockedState) {
   }
 }
 
-TEST(SecondaryHugoniot, ReflectionAtAWallOfAnIdealGas) { // strong shock: p2/p1 -> (3 gamma - 1)/(gamma - 1) = 8 for air, rho2/rho1 -> gamma/(gamma - 1)
+TEST(SecondaryHugoniot, ReflectionAtAWallOfAnIdealGas) {
+  // Strong shock: p2/p1 -> (3 gamma - 1)/(gamma - 1) = 8 for air, rho2/rho1 -> gamma/(gamma - 1).
   const eos::ideal_gas air;
   const auto first = analysis::hugoniot(air, 1.2, 1e-3, 0.4 * 1.2 * 1e-3, 5000);
   const auto second = analysis::reflected_shock(air, first);

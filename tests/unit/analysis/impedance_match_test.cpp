@@ -73,7 +73,9 @@ TEST(Transmitted, IntoLowerAndHigherImpedance) {
   const auto check = [](const auto& first, double rho_a, const auto& second, double rho_b, double up, wave_kind back) {
     const auto shock = analysis::hugoniot(first, rho_a, 0, 0, up);
     const auto m = analysis::transmitted(first, shock, second, eos::state_at(second, rho_b, 0));
-    const auto of = [](const auto& eos, double rho, double u, double p) { return test::gamma_side{eos.values().gamma, eos.values().p_inf, rho, u, p}; };
+    const auto of = [](const auto& eos, double rho, double u, double p) {
+      return test::gamma_side{eos.values().gamma, eos.values().p_inf, rho, u, p};
+    };
     const auto exact = test::exact_riemann(of(first, shock.density, up, shock.pressure), of(second, rho_b, 0, 0));
     EXPECT_EQ(m.status, wave_status::ok) << m.message;
     EXPECT_EQ(m.left.kind, back);

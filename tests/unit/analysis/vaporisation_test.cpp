@@ -75,6 +75,16 @@ TEST(Saturation, EqualAreasOfVanDerWaals) {
   EXPECT_NEAR(analysis::saturation(fluid, 0.9).pressure, 0.6469983518, 1e-9); // of the literature
 }
 
+TEST(Saturation, CriticalPointOfHelm) { // published: 20 750 K, 0.89 g/cc, 8.8 GPa
+  const eos::grover helm{cold::tabulated{cold::cai_ye{}}, phase::helm{}};
+  const auto below = analysis::saturation(helm, 20700);
+  ASSERT_EQ(below.what, eos::status::ok);
+  EXPECT_NEAR(below.pressure / 1e9, 8.8, 0.05);
+  EXPECT_NEAR(0.5 * (below.liquid_density + below.vapour_density), 890, 5);
+  EXPECT_EQ(analysis::saturation(helm, 20800).what, eos::status::no_solution);
+  EXPECT_EQ(analysis::saturation(helm, 10000).what, eos::status::no_solution); // its vapour lies beyond x = 5
+}
+
 TEST(Saturation, BoilingPointAndNoLoop) {
   const test::van_der_waals fluid;
   const double p = analysis::saturation(fluid, 0.73).pressure;
@@ -84,6 +94,7 @@ TEST(Saturation, BoilingPointAndNoLoop) {
   EXPECT_EQ(analysis::saturation(fluid, 1.01).what, eos::status::no_solution);
   EXPECT_EQ(analysis::saturation(eos::ideal_gas{}, 300).what, eos::status::no_solution);
   EXPECT_EQ(analysis::saturation_at_pressure(fluid, 1.5, 0.5, 1.2).what, eos::status::no_solution); // above the critical pressure
+  EXPECT_TRUE(std::isnan(analysis::saturation_at_pressure(fluid, 1.5, 0.5, 1.2).pressure));
   EXPECT_EQ(analysis::saturation_at_pressure(fluid, p, 0.8, 1.2).what, eos::status::no_solution);   // boils below the range
 }
 
