@@ -67,7 +67,7 @@ public:
   }
   template <class V> BOLIDE_INLINE mask_t<V> outside_validity(V rho, V e) const { return continuation_mask(eos_, rho, e); }
   const char* branch_name(double rho, double e) const { return region_name(eos_, rho, e); }
-  /// The wrapped model's, while there are any: the jump of melt_fraction at T_m is not among them (p, c and T have none there).
+  /// The wrapped model's; the jump of melt_fraction at T_m is not among them (p, c and T have none there).
   std::vector<double> energy_borders(double rho) const { return energy_borders_of(eos_, rho); }
   std::vector<double> density_borders() const { return density_borders_of(eos_); }
 

@@ -17,6 +17,43 @@
 
 namespace bolide::eos {
 
+/// Reads K columns of rows that are `stride` numbers apart, one row per lane.
+template <int K, int stride> class row_reader {
+public:
+  /// c[k] = first[index[i] + k] for lane i.
+  template <class V> static BOLIDE_INLINE void columns(const scalar_t<V>* first, const std::int32_t* index, V* c) {
+    if constexpr (sizeof(V) == 64 && lane_width<V> == 8 && stride == 8) transpose(first, index, c);
+    else
+      for (int k = 0; k < K; ++k) c[k] = gather<V>(first + k, index);
+  }
+
+private:
+  /// Eight whole rows loaded and transposed in registers: a third faster than 8 K single loads. Written out, because g++ keeps
+  /// arrays that small loops touch in memory.
+  template <class V> static BOLIDE_INLINE void transpose(const scalar_t<V>* first, const std::int32_t* index, V* c) {
+    const V r0 = V::load(first + index[0]), r1 = V::load(first + index[1]), r2 = V::load(first + index[2]), r3 = V::load(first + index[3]);
+    const V r4 = V::load(first + index[4]), r5 = V::load(first + index[5]), r6 = V::load(first + index[6]), r7 = V::load(first + index[7]);
+    const V e0 = even(r0, r1), e1 = even(r2, r3), e2 = even(r4, r5), e3 = even(r6, r7);
+    const V o0 = odd(r0, r1), o1 = odd(r2, r3), o2 = odd(r4, r5), o3 = odd(r6, r7);
+    const V a0 = low_pairs(e0, e1), b0 = low_pairs(e2, e3), a2 = high_pairs(e0, e1), b2 = high_pairs(e2, e3); // columns 0 4, 2 6
+    const V a1 = low_pairs(o0, o1), b1 = low_pairs(o2, o3), a3 = high_pairs(o0, o1), b3 = high_pairs(o2, o3); // columns 1 5, 3 7
+    c[0] = low_half(a0, b0);
+    c[1] = low_half(a1, b1);
+    if constexpr (K > 2) c[2] = low_half(a2, b2);
+    if constexpr (K > 3) c[3] = low_half(a3, b3);
+    if constexpr (K > 4) c[4] = high_half(a0, b0);
+    if constexpr (K > 5) c[5] = high_half(a1, b1);
+    if constexpr (K > 6) c[6] = high_half(a2, b2);
+    if constexpr (K > 7) c[7] = high_half(a3, b3);
+  }
+  template <class V> static BOLIDE_INLINE V even(V a, V b) { return __builtin_shufflevector(a.v, b.v, 0, 8, 2, 10, 4, 12, 6, 14); }
+  template <class V> static BOLIDE_INLINE V odd(V a, V b) { return __builtin_shufflevector(a.v, b.v, 1, 9, 3, 11, 5, 13, 7, 15); }
+  template <class V> static BOLIDE_INLINE V low_pairs(V a, V b) { return __builtin_shufflevector(a.v, b.v, 0, 1, 8, 9, 4, 5, 12, 13); }
+  template <class V> static BOLIDE_INLINE V high_pairs(V a, V b) { return __builtin_shufflevector(a.v, b.v, 2, 3, 10, 11, 6, 7, 14, 15); }
+  template <class V> static BOLIDE_INLINE V low_half(V a, V b) { return __builtin_shufflevector(a.v, b.v, 0, 1, 2, 3, 8, 9, 10, 11); }
+  template <class V> static BOLIDE_INLINE V high_half(V a, V b) { return __builtin_shufflevector(a.v, b.v, 4, 5, 6, 7, 12, 13, 14, 15); }
+};
+
 template <int K> class polynomial_table {
   static_assert(K >= 2 && K <= 8, "bolide: a row of polynomial_table holds 2 to 8 coefficients.");
   static constexpr int stride = K <= 4 ? 4 : 8;
@@ -67,42 +104,11 @@ public:
       r.t = steps - whole;
     }
     if constexpr (width == 1) index[0] *= stride;
-    columns<V>(data(T{}), index, r.c);
+    row_reader<K, stride>::template columns<V>(data(T{}), index, r.c);
     return r;
   }
 
 private:
-  /// c[k] = first[index[i] + k] for lane i.
-  template <class V> static BOLIDE_INLINE void columns(const scalar_t<V>* first, const std::int32_t* index, V* c) {
-    if constexpr (sizeof(V) == 64 && lane_width<V> == 8 && stride == 8) transpose(first, index, c);
-    else
-      for (int k = 0; k < K; ++k) c[k] = gather<V>(first + k, index);
-  }
-  /// Eight whole rows loaded and transposed in registers: a third faster than 8 K single loads. Written out, because g++ keeps
-  /// arrays that small loops touch in memory.
-  template <class V> static BOLIDE_INLINE void transpose(const scalar_t<V>* first, const std::int32_t* index, V* c) {
-    const V r0 = V::load(first + index[0]), r1 = V::load(first + index[1]), r2 = V::load(first + index[2]), r3 = V::load(first + index[3]);
-    const V r4 = V::load(first + index[4]), r5 = V::load(first + index[5]), r6 = V::load(first + index[6]), r7 = V::load(first + index[7]);
-    const V e0 = even(r0, r1), e1 = even(r2, r3), e2 = even(r4, r5), e3 = even(r6, r7);
-    const V o0 = odd(r0, r1), o1 = odd(r2, r3), o2 = odd(r4, r5), o3 = odd(r6, r7);
-    const V a0 = low_pairs(e0, e1), b0 = low_pairs(e2, e3), a2 = high_pairs(e0, e1), b2 = high_pairs(e2, e3); // columns 0 4, 2 6
-    const V a1 = low_pairs(o0, o1), b1 = low_pairs(o2, o3), a3 = high_pairs(o0, o1), b3 = high_pairs(o2, o3); // columns 1 5, 3 7
-    c[0] = low_half(a0, b0);
-    c[1] = low_half(a1, b1);
-    if constexpr (K > 2) c[2] = low_half(a2, b2);
-    if constexpr (K > 3) c[3] = low_half(a3, b3);
-    if constexpr (K > 4) c[4] = high_half(a0, b0);
-    if constexpr (K > 5) c[5] = high_half(a1, b1);
-    if constexpr (K > 6) c[6] = high_half(a2, b2);
-    if constexpr (K > 7) c[7] = high_half(a3, b3);
-  }
-  template <class V> static BOLIDE_INLINE V even(V a, V b) { return __builtin_shufflevector(a.v, b.v, 0, 8, 2, 10, 4, 12, 6, 14); }
-  template <class V> static BOLIDE_INLINE V odd(V a, V b) { return __builtin_shufflevector(a.v, b.v, 1, 9, 3, 11, 5, 13, 7, 15); }
-  template <class V> static BOLIDE_INLINE V low_pairs(V a, V b) { return __builtin_shufflevector(a.v, b.v, 0, 1, 8, 9, 4, 5, 12, 13); }
-  template <class V> static BOLIDE_INLINE V high_pairs(V a, V b) { return __builtin_shufflevector(a.v, b.v, 2, 3, 10, 11, 6, 7, 14, 15); }
-  template <class V> static BOLIDE_INLINE V low_half(V a, V b) { return __builtin_shufflevector(a.v, b.v, 0, 1, 2, 3, 8, 9, 10, 11); }
-  template <class V> static BOLIDE_INLINE V high_half(V a, V b) { return __builtin_shufflevector(a.v, b.v, 4, 5, 6, 7, 12, 13, 14, 15); }
-
   const double* data(double) const { return double_rows_.data()->c; }
   const float* data(float) const { return float_rows_.data()->c; }
 

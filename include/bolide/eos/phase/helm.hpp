@@ -11,6 +11,7 @@ namespace bolide::phase {
 struct helm : regions<helmholtz, true, false> {
   using regions::regions;
   double largest_volume_ratio() const { return 5; } // x, where the electrons have taken over
+  std::vector<double> border_volume_ratios() const { return {1.0}; } // the slope of gamma has a kink there
 };
 static_assert(PhaseSolver<helm>);
 

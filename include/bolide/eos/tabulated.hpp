@@ -1,0 +1,480 @@
+// SPDX-License-Identifier: MIT
+// Modifier: any equation of state as a fast table for the time loop, its error measured when it is built.
+//
+// Coordinates  u = ln(rho/rho0)  and, at a density, the place s of e between the energy borders b_0(rho) < b_1(rho) < ... of the model:
+// b_0 is the cold curve (a model without one: energy_low), the next ones are what energy_borders() gives (solidus,
+// liquidus, ...), the last lies energy_span above; in this uppermost patch the cells grow with e. Density borders are borders of cells too. Thus no cell straddles a kink or a jump that the model states, the two sides of a jump are kept apart, and a border is met
+// where the interpolated b_k(rho) lies, within 1e-7 of its energy: in this sliver the other side of a jump may answer.
+// In a cell p and T are bicubic Hermite polynomials of node values and slopes (C1 inside a patch between borders), exact where p is linear in e.
+// dp/de and c^2 = dp/drho + p (dp/de)/rho^2 are the derivatives of this polynomial, so that they belong to its p exactly; c^2 is therefore
+// one order less accurate than p and continuous only (except at borders).
+// T_m is cubic in u, cold_energy is b_0, melt_fraction linear in e between borders (as where phases coexist at constant volume). If a
+// region is not bounded by stated borders (isentrope_temperature: it melts at T > T_m), the answer is that of T > T_m; for such a model
+// tabulate the model inside and wrap the table.
+// Outside: linear in u and s (finite, C1 but for c^2), told by outside_validity() and validity().
+// error() is twice the worst of 25 samples in every cell, in p, c^2 and T each; random points have not exceeded it
+// (tests/unit/eos/tabulated_test.cpp). base() is the exact model, kept for set-up work.
+// Cost: two log, four to six cache lines per lane, some 250 flops whatever the model costs: for models that cost more than that (exact
+// lattice sums). Memory with the default: 6 MB in double, 3 MB in float.
+#pragma once
+
+#include "bolide/concepts/equation_of_state.hpp"
+#include "bolide/core/contract.hpp"
+#include "bolide/core/math.hpp"
+#include "bolide/eos/polynomial_table.hpp"
+#include "bolide/eos/pressure_energy.hpp"
+#include "bolide/eos/query.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace bolide::eos {
+
+struct tabulated_parameters {
+  double eta_low = 0.2, eta_high = 4; // rho/rho0, cut to the model's box
+  double energy_low = 0;              // J/kg, lower end for a model without a cold curve, cut to its box
+  double energy_span = 1e8;           // J/kg, height of the uppermost patch
+  int density_cells = 320;            // over all of ln(eta)
+  int energy_cells = 32;              // of each patch between two energy borders
+};
+
+/// The largest deviations of a table from its exact model.
+struct surface_error {
+  double pressure = 0;            // |p - exact| / (|p| + 0.01 K0), K0 = rho0 c^2(rho0, e = 0), the bulk modulus
+  double sound_speed_squared = 0; // |c^2 - exact| / (|c^2| + 0.01 K0/rho0)
+  double temperature = 0;         // |T - exact| / (T + 100 K); 0 for a model without a temperature
+};
+
+template <class Eos> class tabulated {
+  static_assert(EquationOfState<Eos>, "bolide: eos::tabulated needs an EquationOfState: evaluate(rho, e) -> {pressure, "
+                                      "sound_speed_squared} and reference_density().");
+  static constexpr bool thermal = ThermalEquationOfState<Eos>;
+  static constexpr int most_borders = 4, most_segments = 4;
+
+public:
+  explicit tabulated(Eos eos, const tabulated_parameters& p = {}) : eos_(std::move(eos)), q_(p) {
+    require(q_.eta_low > 0 && q_.eta_low < 1, "eos::tabulated eta_low", q_.eta_low, "between 0 and 1");
+    require(q_.eta_high > 1 && q_.eta_high <= 1000, "eos::tabulated eta_high", q_.eta_high, "above 1 and at most 1000");
+    require(std::isfinite(q_.energy_low), "eos::tabulated energy_low", q_.energy_low, "finite", "J/kg");
+    require(q_.energy_span > 0 && std::isfinite(q_.energy_span), "eos::tabulated energy_span", q_.energy_span, "> 0 and finite", "J/kg");
+    require(q_.density_cells >= 8 && q_.density_cells <= 100000, "eos::tabulated density_cells", q_.density_cells, "between 8 and 100000");
+    require(q_.energy_cells >= 4 && q_.energy_cells <= 10000, "eos::tabulated energy_cells", q_.energy_cells, "between 4 and 10000");
+    lay_out();
+    fill();
+    measure();
+  }
+
+  template <class V> BOLIDE_INLINE auto evaluate(V rho, V e) const {
+    using T = scalar_t<V>;
+    constexpr int width = lane_width<V>;
+    const V u = log(rho * T(inverse_density_)), zero(T(0)), one(T(1));
+    V start(T(segments_[0].u)), inverse_step(T(segments_[0].inverse_step)), cells(T(segments_[0].cells)), first(T(segments_[0].column));
+    for (int k = 1; k < segment_count_; ++k) {
+      const segment& g = segments_[static_cast<std::size_t>(k)];
+      const auto beyond = u >= V(T(g.u));
+      start = select(beyond, V(T(g.u)), start);
+      inverse_step = select(beyond, V(T(g.inverse_step)), inverse_step);
+      cells = select(beyond, V(T(g.cells)), cells);
+      first = select(beyond, V(T(g.column)), first);
+    }
+    const V steps = (u - start) * inverse_step, cell_u = clip(floor(clip(steps, zero, cells)), zero, cells - one);
+    const V t_raw = steps - cell_u, t = clip(t_raw, zero, one), column = first + cell_u;
+    const weights<V> in_u(t);
+
+    // The borders at this density, and the patch that e lies in.
+    V border[most_borders] = {V(T(energy_low_)), zero, zero, zero}, border_u[most_borders] = {zero, zero, zero, zero};
+    if (thermal || border_count_ > 1) {
+      std::int32_t left[width], right[width];
+      rows_of<8>(column, left);
+      rows_of<8>(column + one, right);
+      V a[8], b[8];
+      const T* borders = data(borders_double_, borders_float_, T{});
+      row_reader<8, 8>::template columns<V>(borders, left, a);
+      row_reader<8, 8>::template columns<V>(borders, right, b);
+      for (int k = 0; k < most_borders; ++k) {
+        border[k] = in_u.value(a[2 * k], a[2 * k + 1], b[2 * k], b[2 * k + 1]);
+        border_u[k] = in_u.slope(a[2 * k], a[2 * k + 1], b[2 * k], b[2 * k + 1]);
+      }
+    }
+    V low = border[0], low_u = border_u[0], patch = zero;
+    V wide = V(T(q_.energy_span)), wide_u = zero;
+    if (border_count_ > 1) wide = border[1] - border[0], wide_u = border_u[1] - border_u[0];
+    for (int k = 1; k < border_count_; ++k) {
+      const auto above = e > border[k];
+      const bool last = k + 1 == border_count_;
+      low = select(above, border[k], low);
+      low_u = select(above, border_u[k], low_u);
+      wide = select(above, last ? V(T(q_.energy_span)) : border[last ? k : k + 1] - border[k], wide);
+      wide_u = select(above, last ? zero : border_u[last ? k : k + 1] - border_u[k], wide_u);
+      patch = select(above, V(T(k)), patch);
+    }
+    const V inverse_wide = one / wide, z = (e - low) * inverse_wide, equal = V(T(q_.energy_cells));
+    const auto top = patch > V(T(border_count_) - T(1.5));
+    const V grown = log(one + T(stretch_) * clip(z, zero, one)) * T(q_.energy_cells * inverse_log_stretch_);
+    const V cell_s = clip(floor(clip(select(top, grown, z * equal), zero, equal)), zero, equal - one);
+    std::int32_t cell_index[width];
+    rows_of<1>(cell_s, cell_index);
+    const T* heights = data(heights_double_, heights_float_, T{});
+    const V bottom = gather<V>(heights, cell_index), over = gather<V>(heights + 1, cell_index);
+    const V height = select(top, over - bottom, one / equal), inverse_height = select(top, one / (over - bottom), equal);
+    const V s_raw = select(top, z - bottom, z - cell_s / equal) * inverse_height, s = clip(s_raw, zero, one);
+    const weights<V> in_s(s, height, inverse_height); // slopes in z
+
+    std::int32_t lower[width], upper[width];
+    const V node = column * T(nodes_per_column_) + patch * T(q_.energy_cells + 1) + cell_s;
+    rows_of<8>(node, lower);
+    rows_of<8>(node + T(nodes_per_column_), upper);
+    const T* nodes = data(nodes_double_, nodes_float_, T{});
+    V n00[8], n01[8], n10[8], n11[8];
+    row_reader<8, 8>::template columns<V>(nodes, lower, n00);
+    row_reader<8, 8>::template columns<V>(nodes + 8, lower, n01);
+    row_reader<8, 8>::template columns<V>(nodes, upper, n10);
+    row_reader<8, 8>::template columns<V>(nodes + 8, upper, n11);
+    const V beyond_t = t_raw - t, beyond_z = (s_raw - s) * height;
+    const sheet<V> p = read<0>(in_u, in_s, n00, n01, n10, n11, beyond_t, beyond_z);
+
+    // d/de and d/drho at constant e of what is a function of (t, z).
+    const V inverse_rho = one / rho, z_t = -inverse_wide * (low_u + z * wide_u);
+    const V p_e = p.z * inverse_wide, p_rho = (p.t + p.z * z_t) * inverse_step * inverse_rho;
+    const V c2 = p_rho + p.value * p_e * inverse_rho * inverse_rho;
+    if constexpr (!thermal) return caloric_point<V>{p.value, c2, p_e};
+    else {
+      const sheet<V> temperature = read<4>(in_u, in_s, n00, n01, n10, n11, beyond_t, beyond_z);
+      const V t_m = melting(column, in_u, beyond_t);
+      thermal_point<V> r{p.value, c2, temperature.value, t_m, zero, border[0] + beyond_t * border_u[0], zero, p_e, temperature.z * inverse_wide};
+      if (regions_by_patch_) {
+        V begin = zero, end = zero;
+        for (int g = 0; g < segment_count_; ++g)
+          for (int k = 0; k < border_count_; ++k) {
+            const phase& f = phases_[static_cast<std::size_t>(g * most_borders + k)];
+            const auto here = first == V(T(segments_[static_cast<std::size_t>(g)].column)) && patch == V(T(k));
+            r.region = select(here, V(T(f.region)), r.region);
+            begin = select(here, V(T(f.melt_begin)), begin);
+            end = select(here, V(T(f.melt_end)), end);
+          }
+        r.melt_fraction = clip(begin + z * (end - begin), zero, one);
+      } else {
+        const auto molten = temperature.value > t_m;
+        r.melt_fraction = select(molten, one, zero);
+        r.region = select(molten, V(region_value<V>(region::liquid)), V(region_value<V>(region::solid)));
+      }
+      return r;
+    }
+  }
+
+  double reference_density() const { return eos_.reference_density(); }
+  const Eos& base() const { return eos_; }
+  const tabulated_parameters& values() const { return q_; }
+  /// Twice the worst of what was sampled in the table's range.
+  const surface_error& error() const { return error_; }
+  std::size_t bytes() const { return (nodes_double_.size() + borders_double_.size()) * sizeof(record<double>); } // of the double table
+  validity_box validity() const {
+    validity_box box = validity_of(eos_);
+    box.density_low = density_low_, box.density_high = density_high_;
+    box.energy_high = std::min(box.energy_high, energy_high_);
+    if constexpr (!thermal) box.energy_low = std::max(box.energy_low, energy_low_);
+    return box;
+  }
+  template <class V> BOLIDE_INLINE mask_t<V> outside_validity(V rho, V e) const {
+    using T = scalar_t<V>;
+    const auto out = rho < V(T(density_low_)) || rho > V(T(density_high_)) || e > V(T(energy_high_));
+    if constexpr (thermal) return out;
+    else return out || e < V(T(energy_low_));
+  }
+  const char* branch_name(double rho, double e) const { return region_name(eos_, rho, e); }
+  std::vector<double> energy_borders(double rho) const { return energy_borders_of(eos_, rho); }
+  std::vector<double> density_borders() const { return density_borders_of(eos_); }
+
+private:
+  /// p, dp/dt, dp/dz, d2p/dtdz, then the same of T: one cache line in double. t counts cells of u, z is 0 .. 1 from border to border.
+  /// Of borders: b_0, db_0/dt, b_1, ...
+  template <class T> struct alignas(8 * sizeof(T)) record {
+    T c[8] = {};
+  };
+  /// A range of ln(eta) without a density border inside.
+  struct segment {
+    double u = 0, step = 0, inverse_step = 0;
+    int cells = 0, column = 0; // column: of its first node
+  };
+  struct phase {
+    double region = 0, melt_begin = 0, melt_end = 0;
+  };
+  /// The cubic Hermite polynomial on [0, 1] and its derivative; differences of values come first, so that a constant has slope 0 exactly.
+  template <class V> struct weights {
+    V rise, first, second, rise_slope, first_slope, second_slope;
+    BOLIDE_INLINE explicit weights(V t, V width = V(scalar_t<V>(1)), V inverse_width = V(scalar_t<V>(1))) { // of the interval that t divides
+      using T = scalar_t<V>;
+      const V one(T(1)), back = one - t;
+      rise = t * t * (T(3) - T(2) * t);
+      first = width * t * back * back;
+      second = -width * t * t * back;
+      rise_slope = inverse_width * T(6) * t * back;
+      first_slope = back * (one - T(3) * t);
+      second_slope = t * (T(3) * t - T(2));
+    }
+    BOLIDE_INLINE V value(V f0, V m0, V f1, V m1) const { return f0 + (f1 - f0) * rise + m0 * first + m1 * second; }
+    BOLIDE_INLINE V slope(V f0, V m0, V f1, V m1) const { return (f1 - f0) * rise_slope + m0 * first_slope + m1 * second_slope; }
+  };
+  template <class V> struct sheet { V value, t, z; };
+
+  /// The function that begins at number K of a node, with its derivatives in t and z.
+  template <int K, class V>
+  static BOLIDE_INLINE sheet<V> read(const weights<V>& in_u, const weights<V>& in_s, const V* n00, const V* n01, const V* n10, const V* n11, V beyond_t,
+                                     V beyond_z) {
+    const V f0 = in_s.value(n00[K], n00[K + 2], n01[K], n01[K + 2]), f1 = in_s.value(n10[K], n10[K + 2], n11[K], n11[K + 2]);
+    const V g0 = in_s.value(n00[K + 1], n00[K + 3], n01[K + 1], n01[K + 3]), g1 = in_s.value(n10[K + 1], n10[K + 3], n11[K + 1], n11[K + 3]);
+    const V f0_z = in_s.slope(n00[K], n00[K + 2], n01[K], n01[K + 2]), f1_z = in_s.slope(n10[K], n10[K + 2], n11[K], n11[K + 2]);
+    const V g0_z = in_s.slope(n00[K + 1], n00[K + 3], n01[K + 1], n01[K + 3]), g1_z = in_s.slope(n10[K + 1], n10[K + 3], n11[K + 1], n11[K + 3]);
+    sheet<V> r;
+    r.t = in_u.slope(f0, g0, f1, g1);
+    r.z = in_u.value(f0_z, g0_z, f1_z, g1_z);
+    r.value = in_u.value(f0, g0, f1, g1) + beyond_t * r.t + beyond_z * r.z;
+    return r;
+  }
+  /// Where row `number` of the records begins, lane by lane.
+  template <int stride, class V> static BOLIDE_INLINE void rows_of(V number, std::int32_t* index) {
+    store_whole(number, index);
+    for (int i = 0; i < lane_width<V>; ++i) index[i] *= stride;
+  }
+  static const double* data(const std::vector<record<double>>& wide, const std::vector<record<float>>&, double) { return wide.data()->c; }
+  static const float* data(const std::vector<record<double>>&, const std::vector<record<float>>& slim, float) { return slim.data()->c; }
+  static const double* data(const std::vector<double>& wide, const std::vector<float>&, double) { return wide.data(); }
+  static const float* data(const std::vector<double>&, const std::vector<float>& slim, float) { return slim.data(); }
+  /// T_m in the record beside the column's borders.
+  template <class V> BOLIDE_INLINE V melting(V column, const weights<V>& in_u, V beyond_t) const {
+    using T = scalar_t<V>;
+    std::int32_t at[lane_width<V>];
+    rows_of<2>(column, at);
+    const T* from = data(melting_double_, melting_float_, T{});
+    const V m0 = gather<V>(from, at), d0 = gather<V>(from + 1, at), m1 = gather<V>(from + 2, at), d1 = gather<V>(from + 3, at);
+    return in_u.value(m0, d0, m1, d1) + beyond_t * in_u.slope(m0, d0, m1, d1);
+  }
+
+  // ---- set-up ---------------------------------------------------------------------------------------------------------------
+  /// b_0 .. b_{n-1} at a density.
+  std::array<double, most_borders> borders_at(double rho) const {
+    std::array<double, most_borders> b{};
+    if constexpr (thermal) b[0] = eos_.evaluate(rho, 0.0).cold_energy;
+    else b[0] = energy_low_;
+    const std::vector<double> inner = energy_borders_of(eos_, rho);
+    for (int k = 1; k < border_count_; ++k) b[static_cast<std::size_t>(k)] = inner[static_cast<std::size_t>(k - 1)];
+    return b;
+  }
+  double density_at(double u) const { return eos_.reference_density() * std::exp(u); }
+
+  void lay_out() {
+    const double rho0 = eos_.reference_density();
+    const validity_box box = validity_of(eos_);
+    inverse_density_ = 1 / rho0;
+    density_low_ = std::max(box.density_low, q_.eta_low * rho0);
+    density_high_ = std::min(box.density_high, q_.eta_high * rho0);
+    require(density_low_ < rho0 && density_high_ > rho0, "eos::tabulated reference density", rho0, "inside the model's validity box", "kg/m3");
+    const double c2 = eos_.evaluate(rho0, 0.0).sound_speed_squared, in_span = eos_.evaluate(rho0, 0.05 * q_.energy_span).sound_speed_squared;
+    stiffness_ = c2 > 0 ? c2 : in_span;
+    require(stiffness_ > 0, "eos::tabulated sound speed squared at the reference density", stiffness_, "> 0", "m2/s2");
+    energy_low_ = std::max(box.energy_low, q_.energy_low);
+    border_count_ = 1 + static_cast<int>(energy_borders_of(eos_, rho0).size());
+    require(border_count_ <= most_borders, "eos::tabulated energy borders of the model", border_count_ - 1, "at most 3");
+    for (int i = 0; i <= 200; ++i) {
+      const std::array<double, most_borders> b = borders_at(density_low_ * std::pow(density_high_ / density_low_, i / 200.0));
+      for (std::size_t k = 1; k < static_cast<std::size_t>(border_count_); ++k)
+        require(b[k] > b[k - 1], "eos::tabulated energy border of the model", b[k],
+                "above the one before it and the cold energy at every density (tabulate the model inside isentrope_temperature and wrap the table)", "J/kg");
+    }
+    stretch_ = q_.energy_span / (c2 > 0 ? 0.05 * c2 : 0.02 * q_.energy_span);
+    inverse_log_stretch_ = 1 / std::log1p(stretch_);
+    for (int j = 0; j <= q_.energy_cells; ++j) heights_double_.push_back(j < q_.energy_cells ? std::expm1(j / (q_.energy_cells * inverse_log_stretch_)) / stretch_ : 1);
+    heights_double_.push_back(2); // beside the last node
+    heights_float_.assign(heights_double_.begin(), heights_double_.end());
+
+    std::vector<double> ends{std::log(density_low_ / rho0)};
+    std::vector<double> inner = density_borders_of(eos_);
+    std::sort(inner.begin(), inner.end());
+    for (const double rho : inner)
+      if (rho > density_low_ * 1.001 && rho < density_high_ * 0.999) ends.push_back(std::log(rho / rho0));
+    ends.push_back(std::log(density_high_ / rho0));
+    segment_count_ = static_cast<int>(ends.size()) - 1;
+    require(segment_count_ <= most_segments, "eos::tabulated density borders of the model", segment_count_ - 1, "at most 3");
+    int column = 0;
+    for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+      const double length = ends[k + 1] - ends[k];
+      const int cells = std::max(4, static_cast<int>(std::lround(q_.density_cells * length / (ends.back() - ends.front()))));
+      segments_[k] = {ends[k], length / cells, cells / length, cells, column};
+      column += cells + 1;
+    }
+    columns_ = column;
+    nodes_per_column_ = border_count_ * (q_.energy_cells + 1);
+    require(double(columns_) * nodes_per_column_ < 1 << 24, "eos::tabulated nodes", double(columns_) * nodes_per_column_, "below 2^24");
+  }
+
+  /// z at s in cell j of a patch.
+  double place(int patch, int j, double s) const {
+    if (patch + 1 < border_count_) return (j + s) / q_.energy_cells;
+    const auto k = static_cast<std::size_t>(j);
+    return heights_double_[k] + (s > 0 ? s * (heights_double_[k + 1] - heights_double_[k]) : 0);
+  }
+  double height_of(int patch, const std::array<double, most_borders>& border) const {
+    const auto k = static_cast<std::size_t>(patch);
+    return patch + 1 < border_count_ ? border[k + 1] - border[k] : q_.energy_span;
+  }
+  /// p, dp/dz, T, dT/dz at a node of a patch; kept off borders by 1e-11 of their energy, so that the patch's own side answers.
+  struct sample { double p, p_z, T, T_z; };
+  sample at(double rho, const std::array<double, most_borders>& border, int patch, int node) const {
+    const auto k = static_cast<std::size_t>(patch);
+    const double wide = height_of(patch, border);
+    double e = border[k] + wide * place(patch, node, 0);
+    if (patch > 0 && node == 0) e += 1e-11 * std::abs(e);
+    if (patch + 1 < border_count_ && node == q_.energy_cells) e = border[k + 1] - 1e-11 * std::abs(border[k + 1]);
+    const auto r = eos_.evaluate(rho, e);
+    sample f{r.pressure, pressure_energy(eos_, rho, e) * wide, 0, 0};
+    if constexpr (thermal) f.T = r.temperature, f.T_z = r.temperature_energy * wide;
+    return f;
+  }
+
+  /// Offsets and weights of a five-point difference: central inside a segment, one-sided at its ends.
+  struct stencil { std::array<double, 5> offset, weight; };
+  static stencil stencil_at(bool first, bool last) {
+    if (first) return {{0, 1, 2, 3, 4}, {-25. / 12, 4, -3, 4. / 3, -1. / 4}};
+    if (last) return {{0, -1, -2, -3, -4}, {25. / 12, -4, 3, -4. / 3, 1. / 4}};
+    return {{-2, -1, 0, 1, 2}, {1. / 12, -2. / 3, 0, 2. / 3, -1. / 12}};
+  }
+
+  void fill() {
+    nodes_double_.resize(static_cast<std::size_t>(columns_ * nodes_per_column_));
+    borders_double_.resize(static_cast<std::size_t>(columns_));
+    melting_double_.resize(static_cast<std::size_t>(2 * columns_));
+    energy_high_ = std::numeric_limits<double>::infinity();
+    regions_by_patch_ = thermal;
+    for (int g = 0; g < segment_count_; ++g) {
+      const segment& seg = segments_[static_cast<std::size_t>(g)];
+      for (int i = 0; i <= seg.cells; ++i) fill_column(seg, i);
+      if constexpr (thermal) find_phases(g);
+    }
+    nodes_float_.resize(nodes_double_.size());
+    borders_float_.resize(borders_double_.size());
+    const auto slim = [](const record<double>& from) {
+      record<float> to;
+      for (std::size_t k = 0; k < 8; ++k) to.c[k] = static_cast<float>(from.c[k]);
+      return to;
+    };
+    std::transform(nodes_double_.begin(), nodes_double_.end(), nodes_float_.begin(), slim);
+    std::transform(borders_double_.begin(), borders_double_.end(), borders_float_.begin(), slim);
+    melting_float_.assign(melting_double_.begin(), melting_double_.end());
+  }
+
+  void fill_column(const segment& seg, int i) {
+    const double reach = 0.02, inside = 1e-10; // of a step: of the difference, and how far a node keeps off a density border
+    const stencil d = stencil_at(i == 0, i == seg.cells);
+    const double off_border = i == 0 ? inside : i == seg.cells ? -inside : 0;
+    std::array<double, 5> rho{};
+    std::array<std::array<double, most_borders>, 5> border{};
+    std::size_t centre = 0;
+    for (std::size_t k = 0; k < 5; ++k) {
+      rho[k] = density_at(seg.u + seg.step * (i + off_border + reach * d.offset[k]));
+      border[k] = borders_at(rho[k]);
+      if (d.offset[k] == 0) centre = k;
+    }
+    const auto slope = [&](const auto& f) { // d/dt, per cell
+      double sum = 0;
+      for (std::size_t k = 0; k < 5; ++k)
+        if (d.weight[k] != 0) sum += d.weight[k] * f(k);
+      return sum / reach;
+    };
+    const auto column = static_cast<std::size_t>(seg.column + i);
+    for (std::size_t b = 0; b < most_borders; ++b) {
+      borders_double_[column].c[2 * b] = border[centre][b];
+      borders_double_[column].c[2 * b + 1] = slope([&](std::size_t k) { return border[k][b]; });
+    }
+    energy_high_ = std::min(energy_high_, border[centre][static_cast<std::size_t>(border_count_ - 1)] + q_.energy_span);
+    if constexpr (thermal) {
+      melting_double_[2 * column] = eos_.evaluate(rho[centre], 0.0).melting_temperature;
+      melting_double_[2 * column + 1] = slope([&](std::size_t k) { return eos_.evaluate(rho[k], 0.0).melting_temperature; });
+    }
+    for (int patch = 0; patch < border_count_; ++patch)
+      for (int j = 0; j <= q_.energy_cells; ++j) {
+        std::array<sample, 5> f{};
+        for (std::size_t k = 0; k < 5; ++k) f[k] = at(rho[k], border[k], patch, j);
+        record<double>& r = nodes_double_[column * static_cast<std::size_t>(nodes_per_column_) + static_cast<std::size_t>(patch * (q_.energy_cells + 1) + j)];
+        r.c[0] = f[centre].p;
+        r.c[1] = slope([&](std::size_t k) { return f[k].p; });
+        r.c[2] = f[centre].p_z;
+        r.c[3] = slope([&](std::size_t k) { return f[k].p_z; });
+        r.c[4] = f[centre].T;
+        r.c[5] = slope([&](std::size_t k) { return f[k].T; });
+        r.c[6] = f[centre].T_z;
+        r.c[7] = slope([&](std::size_t k) { return f[k].T_z; });
+        require(std::isfinite(r.c[0]) && std::isfinite(r.c[3]) && std::isfinite(r.c[7]), "eos::tabulated pressure in the table's range", r.c[0],
+                "finite with its derivatives (the model must answer all over the range)", "Pa");
+      }
+  }
+
+  /// Region and melt fraction of the patches of a segment, if they are one region each.
+  void find_phases(int g) {
+    const segment& seg = segments_[static_cast<std::size_t>(g)];
+    for (int patch = 0; patch < border_count_; ++patch) {
+      phase& f = phases_[static_cast<std::size_t>(g * most_borders + patch)];
+      for (int i = 0; i < 2 * seg.cells; ++i) {
+        const double rho = density_at(seg.u + seg.step * (0.5 * i + 0.25));
+        const std::array<double, most_borders> border = borders_at(rho);
+        const auto k = static_cast<std::size_t>(patch);
+        const double wide = height_of(patch, border);
+        for (const double z : {1e-6, 0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 1 - 1e-6}) {
+          const auto r = eos_.evaluate(rho, border[k] + z * wide);
+          if (i == 0 && z == 1e-6) f.region = r.region, f.melt_begin = r.melt_fraction < 1e-5 ? 0 : r.melt_fraction;
+          if (i == 0) f.melt_end = r.melt_fraction > 1 - 1e-5 ? 1 : r.melt_fraction;
+          if (r.region != f.region) regions_by_patch_ = false;
+        }
+      }
+    }
+  }
+
+  void measure() {
+    const double floor_c2 = 0.01 * stiffness_, floor_p = floor_c2 * eos_.reference_density();
+    for (int g = 0; g < segment_count_; ++g) {
+      const segment& seg = segments_[static_cast<std::size_t>(g)];
+      for (int i = 0; i < seg.cells; ++i)
+        for (const double t : {0.03, 0.21, 0.5, 0.79, 0.97}) {
+          const double rho = density_at(seg.u + seg.step * (i + t));
+          const std::array<double, most_borders> border = borders_at(rho);
+          for (int patch = 0; patch < border_count_; ++patch)
+            for (int j = 0; j < q_.energy_cells; ++j)
+              for (const double s : {0.03, 0.21, 0.5, 0.79, 0.97}) {
+                const double e = border[static_cast<std::size_t>(patch)] + height_of(patch, border) * place(patch, j, s);
+                if (outside_of(eos_, rho, e)) continue;
+                const auto a = evaluate(rho, e);
+                const auto b = eos_.evaluate(rho, e);
+                error_.pressure = std::max(error_.pressure, std::abs(a.pressure - b.pressure) / (std::abs(b.pressure) + floor_p));
+                error_.sound_speed_squared = std::max(error_.sound_speed_squared,
+                    std::abs(a.sound_speed_squared - b.sound_speed_squared) / (std::abs(b.sound_speed_squared) + floor_c2));
+                if constexpr (thermal)
+                  error_.temperature = std::max(error_.temperature, std::abs(a.temperature - b.temperature) / (std::abs(b.temperature) + 100));
+              }
+        }
+    }
+    error_.pressure *= 2;
+    error_.sound_speed_squared *= 2;
+    error_.temperature *= 2;
+  }
+
+  Eos eos_;
+  tabulated_parameters q_;
+  double inverse_density_ = 0, density_low_ = 0, density_high_ = 0; // m3/kg, kg/m3
+  double energy_low_ = 0, energy_high_ = 0, stiffness_ = 0;         // J/kg, J/kg, m2/s2
+  double stretch_ = 0, inverse_log_stretch_ = 0;
+  int border_count_ = 0, segment_count_ = 0, columns_ = 0, nodes_per_column_ = 0;
+  bool regions_by_patch_ = false;
+  std::array<segment, most_segments> segments_{};
+  std::array<phase, most_segments * most_borders> phases_{};
+  std::vector<record<double>> nodes_double_, borders_double_;
+  std::vector<record<float>> nodes_float_, borders_float_;
+  std::vector<double> melting_double_, heights_double_; // T_m and its slope, column by column; z of the nodes of the uppermost patch
+  std::vector<float> melting_float_, heights_float_;
+  surface_error error_;
+};
+
+} // namespace bolide::eos
