@@ -5,6 +5,7 @@
 #include "any_eos.hpp"
 
 #include "bolide/eos/query.hpp"
+#include "bolide/eos/tabulated.hpp"
 
 #include <cmath>
 #include <utility>
@@ -20,7 +21,7 @@ enum class phases {
 
 template <class Eos> class adapted_eos : public any_eos {
 public:
-  adapted_eos(Eos eos, phases named) : eos_(std::move(eos)), named_(named) {}
+  adapted_eos(Eos eos, phases named, std::string remark) : eos_(std::move(eos)), named_(named), remark_(std::move(remark)) {}
 
   bolide::thermal_point<double> evaluate(double rho, double e) const override {
     const auto r = eos_.evaluate(rho, e);
@@ -40,14 +41,26 @@ public:
     return bolide::eos::name(bolide::eos::status_at(eos_, rho, e, r));
   }
   bolide::eos::validity_box validity() const override { return bolide::eos::validity_of(eos_); }
+  std::string remark() const override { return remark_; }
 
 private:
   Eos eos_;
   phases named_;
+  std::string remark_;
 };
 
-template <class Eos> eos_pointer adapt(Eos eos, phases named) {
-  return std::make_shared<adapted_eos<Eos>>(std::move(eos), named);
+template <class Eos> eos_pointer adapt(Eos eos, phases named, std::string remark = {}) {
+  return std::make_shared<adapted_eos<Eos>>(std::move(eos), named, std::move(remark));
+}
+
+/// The model itself, or its table with the error that was measured when it was built.
+template <class Eos> eos_pointer adapt_or_tabulate(Eos eos, phases named, bool table) {
+  if (!table) return adapt(std::move(eos), named);
+  bolide::eos::tabulated fast(std::move(eos));
+  const auto error = fast.error();
+  return adapt(std::move(fast), named,
+               "table: measured error of pressure " + bolide::to_text(error.pressure) + ", of c^2 " + bolide::to_text(error.sound_speed_squared) +
+                   ", of temperature " + bolide::to_text(error.temperature) + " (relative, docs/eos.md)");
 }
 
 } // namespace explorer

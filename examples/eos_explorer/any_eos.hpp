@@ -26,6 +26,8 @@ public:
   /// "ok", or why the answer is not to be trusted.
   virtual std::string status(double rho, double e) const = 0;
   virtual bolide::eos::validity_box validity() const = 0;
+  /// What its user should be told: how far a table is from the exact model. Empty for an exact model.
+  virtual std::string remark() const = 0;
 };
 using eos_pointer = std::shared_ptr<const any_eos>;
 

@@ -45,6 +45,7 @@ answer cold(const request& r) {
     out.put({written(x), written(c.energy), written(c.pressure), written(c.slope)});
   }
   answer a{out.text(), {}, {}};
+  if (!model.remark().empty()) a.remarks.push_back(model.remark());
   if (r.plot.empty() || xs.empty()) return a;
   double low = *std::min_element(xs.begin(), xs.end()), high = *std::max_element(xs.begin(), xs.end());
   if (low == high) low *= 0.8, high *= 1.2;

@@ -69,7 +69,8 @@ answer hugoniot_curve(const request& r) {
     if (status != "ok") remarks.push_back("up = " + bolide::to_text(up) + " m/s: the state's status is " + status);
     states.push_back(a);
   }
-  answer a{out.text(), {}, remarks};
+  answer a = answer_of(out.text(), *s.eos);
+  a.remarks.insert(a.remarks.end(), remarks.begin(), remarks.end());
   if (!r.plot.empty() && !states.empty()) a.plot = plot_of(r, s, states);
   return a;
 }

@@ -76,7 +76,7 @@ answer melt(const request& r) {
   row("hugoniot_completion", t.hugoniot_end);
   row("release_onset", t.release_begin);
   row("release_completion", t.release_end);
-  answer a{out.text(), {}, {}};
+  answer a = answer_of(out.text(), *s.eos);
   if (!r.plot.empty()) a.plot = plot_of(r, s, t);
   return a;
 }

@@ -18,7 +18,8 @@ using bolide::quantity::dimension;
 int rows_of(const request& r) {
   if (!r.has("rows")) return 101;
   const double n = read_number(r.given.at("rows"), "--rows");
-  if (!(n >= 2 && n <= 1e6) || n != std::floor(n)) throw bad_parameter("--rows = '" + r.given.at("rows") + "': must be a whole number from 2 to 1000000");
+  if (!(n >= 2 && n <= 1e6) || n != std::floor(n))
+    throw bad_parameter("--rows = '" + r.given.at("rows") + "': must be a whole number from 2 to 1000000");
   return static_cast<int>(n);
 }
 
@@ -41,7 +42,7 @@ template <class Follow> answer table_of(const request& r, const start& s, const 
   for (const auto& p : path.states)
     out.put({written(p.density), written(p.energy), written(p.pressure), written(p.temperature), written(p.particle_speed),
              s.eos->region(p.density, p.energy)});
-  answer a{out.text(), {}, {}};
+  answer a = answer_of(out.text(), *s.eos);
   if (!path.message.empty()) a.remarks.push_back(path.message);
   if (!r.plot.empty()) a.plot = plot_of(follow(401), r.command + ", " + r.model.eos);
   return a;

@@ -61,7 +61,7 @@ answer points(const request& r) {
                            eos->status(rho, e)});
     out.put(row);
   }
-  return {out.text(), {}, {}};
+  return answer_of(out.text(), *eos);
 }
 
 } // namespace explorer

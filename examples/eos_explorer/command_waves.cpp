@@ -84,11 +84,10 @@ answer match(const request& r) {
   const auto met = with_model(*flyer.eos, [&](const auto& a) {
     return with_model(*target.eos, [&](const auto& b) { return bolide::analysis::impedance_match(a, ahead(flyer), b, ahead(target), V); });
   });
-  answer a;
-  check(met.status, met.message, a);
   csv_output out({"interface_velocity_m_s", "pressure_Pa"});
   out.put({written(met.velocity), written(met.pressure)});
-  a.csv = out.text();
+  answer a = answer_of(out.text(), *flyer.eos);
+  check(met.status, met.message, a);
   if (!r.plot.empty()) a.plot = plot_of_match(r, flyer, target, V, met.velocity, met.pressure);
   return a;
 }
@@ -100,7 +99,7 @@ answer riemann(const request& r) {
   model_choice on_left = r.model, on_right = r.other.eos.empty() ? r.model : r.other;
   const eos_pointer a_eos = make_eos(on_left), b_eos = make_eos(on_right);
   const auto xs = numbers_of(r, "x", false);
-  answer a;
+  answer a = answer_of({}, *a_eos);
   csv_output out({"x", "rho", "velocity_m_s", "pressure_Pa", "energy_J_kg", "temperature_K", "region"});
   std::vector<place_sample> profile;
   with_model(*a_eos, [&](const auto& l) {

@@ -56,6 +56,9 @@ std::string input_of(const request&);
 /// The numbers of the option --NAME, or of the column NAME of --in or standard input. Each is checked: more than 0 if `positive`.
 std::vector<double> numbers_of(const request&, const std::string& name, bool positive);
 
+/// An answer without remarks but the model's own.
+answer answer_of(std::string csv, const any_eos& eos);
+
 /// A model and the state of the material before anything happens.
 struct start {
   eos_pointer eos;

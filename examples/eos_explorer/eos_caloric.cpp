@@ -25,7 +25,7 @@ eos_pointer make_mie_grueneisen(model_choice& choice) {
                     {"fading_expansion", "", &fading_expansion}});
   q.constant_gamma = constant_gamma != 0;
   q.fading_expansion = fading_expansion != 0;
-  return adapt(bolide::eos::mie_grueneisen(q), phases::single);
+  return adapt_or_tabulate(bolide::eos::mie_grueneisen(q), phases::single, choice.table);
 }
 
 eos_pointer make_tillotson(model_choice& choice) {
@@ -40,19 +40,19 @@ eos_pointer make_tillotson(model_choice& choice) {
                     {"beta", "", &q.beta},
                     {"Eiv", "J/kg", &q.E_iv},
                     {"Ecv", "J/kg", &q.E_cv}});
-  return adapt(bolide::eos::tillotson(q), phases::by_formula);
+  return adapt_or_tabulate(bolide::eos::tillotson(q), phases::by_formula, choice.table);
 }
 
 eos_pointer make_ideal_gas(model_choice& choice) {
   bolide::eos::ideal_gas_parameters q;
   choice.set.apply({{"gamma", "", &q.gamma}, {"c_v", "J/(kg K)", &q.c_v}, {"rho0", "kg/m3", &q.rho0}});
-  return adapt(bolide::eos::ideal_gas(q), phases::single);
+  return adapt_or_tabulate(bolide::eos::ideal_gas(q), phases::single, choice.table);
 }
 
 eos_pointer make_stiffened_gas(model_choice& choice) {
   bolide::eos::stiffened_gas_parameters q;
   choice.set.apply({{"gamma", "", &q.gamma}, {"p_inf", "Pa", &q.p_inf}, {"rho0", "kg/m3", &q.rho0}});
-  return adapt(bolide::eos::stiffened_gas(q), phases::single);
+  return adapt_or_tabulate(bolide::eos::stiffened_gas(q), phases::single, choice.table);
 }
 
 eos_pointer make_jwl(model_choice& choice) {
@@ -66,7 +66,7 @@ eos_pointer make_jwl(model_choice& choice) {
                     {"R1", "", &q.R1},
                     {"R2", "", &q.R2},
                     {"omega", "", &q.omega}});
-  return adapt(bolide::eos::jwl(q), phases::single);
+  return adapt_or_tabulate(bolide::eos::jwl(q), phases::single, choice.table);
 }
 
 } // namespace explorer

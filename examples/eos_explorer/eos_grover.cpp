@@ -22,7 +22,9 @@ template <class Phase> eos_pointer make_grover(model_choice& choice) {
                     {"ge", "", &q.ge},
                     {"Tm0", "K", &q.Tm0},
                     {"xj", "", &q.xj}});
-  return adapt(bolide::eos::grover{make_cold(choice.cold, choice.set, choice.table), Phase{q}}, phases::by_region);
+  any_cold cold = make_cold(choice.cold, choice.set, choice.table);
+  const std::string remark = cold.remark();
+  return adapt(bolide::eos::grover{std::move(cold), Phase{q}}, phases::by_region, remark);
 }
 } // namespace
 

@@ -66,7 +66,8 @@ void assignments::apply(const std::vector<parameter>& parameters) {
   for (const auto& p : parameters) {
     if (const auto at = given_.find(p.name); at != given_.end()) *p.value = parse_value(at->second, p.unit, "--set " + p.name);
     known_.push_back(p.name);
-    description_ += (description_.empty() ? "" : "; ") + p.name + "=" + (std::isnan(*p.value) ? "?" : bolide::to_text(*p.value)) + (p.unit.empty() ? "" : " ") + p.unit;
+    if (!description_.empty()) description_ += "; ";
+    description_ += p.name + "=" + (std::isnan(*p.value) ? "?" : bolide::to_text(*p.value)) + (p.unit.empty() ? "" : " ") + p.unit;
   }
 }
 

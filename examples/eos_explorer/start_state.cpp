@@ -30,6 +30,8 @@ public:
     return {factor_ * box.density_low, factor_ * box.density_high, box.energy_low, box.energy_high};
   }
 
+  std::string remark() const override { return base_->remark(); }
+
 private:
   eos_pointer base_;
   double factor_;
@@ -69,6 +71,12 @@ start start_of(const request& r, model_choice choice, const std::string& density
     p.density = wanted;
   }
   return {eos, p.density, p.energy, eos->evaluate(p.density, p.energy).pressure};
+}
+
+answer answer_of(std::string csv, const any_eos& eos) {
+  answer a{std::move(csv), {}, {}};
+  if (const std::string remark = eos.remark(); !remark.empty()) a.remarks.push_back(remark);
+  return a;
 }
 
 std::string input_of(const request& r) { return r.input ? *r.input : read_all(r.in); }

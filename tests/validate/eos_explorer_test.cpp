@@ -405,7 +405,32 @@ TEST_F(EosExplorer, TableIsNearTheExactModelAndOnlyOnRequest) {
   const double exact = number(good("cold --x 0.7123").rows()[0][2]), table = number(good("cold --x 0.7123 --table").rows()[0][2]);
   EXPECT_NE(exact, table);
   EXPECT_NEAR(table, exact, 1e-6 * exact);
-  EXPECT_EQ(exact, cold::cai_ye{}.evaluate(0.7123).pressure);
+  EXPECT_NEAR(exact, cold::cai_ye{}.evaluate(0.7123).pressure, 1e-12 * exact);
+  for (const std::string name : {"mixed", "mie-gruneisen", "tillotson"}) { // the measured error is told
+    const auto fast = good("points --table --eos " + name, "x,e\n0.81,1.7e6\n"), slow = good("points --eos " + name, "x,e\n0.81,1.7e6\n");
+    const double p = number(slow.rows()[0][4]);
+    EXPECT_NE(fast.rows()[0][4], slow.rows()[0][4]);
+    EXPECT_NEAR(number(fast.rows()[0][4]), p, 1e-5 * p);
+    EXPECT_EQ(fast.rows()[0][2], slow.rows()[0][2]);
+    EXPECT_NE(fast.err.find("measured error of pressure"), std::string::npos) << fast.err;
+    EXPECT_EQ(slow.err, "");
+  }
+}
+
+TEST_F(EosExplorer, ColdCurveOfTwoColumns) {
+  std::ofstream file(folder / "mine.csv");
+  file << "x,pressure_GPa\n";
+  const cold::vinet exact;
+  for (int i = 0; i <= 60; ++i) file << to_text(0.6 + 0.01 * i) << "," << to_text(exact.evaluate(0.6 + 0.01 * i).pressure / 1e9) << "\n";
+  file.close();
+  const row r = good("cold --cold table:mine.csv --set density=2697.8kg/m3 --x 0.755").rows()[0];
+  EXPECT_NEAR(number(r[2]), exact.evaluate(0.755).pressure, 1e-4 * exact.evaluate(0.755).pressure);
+  EXPECT_NEAR(number(r[1]), exact.evaluate(0.755).energy, 1e-4 * exact.evaluate(0.755).energy);
+  expect_refused("cold --cold table:mine.csv --x 1", "", {"mine.csv", "density"});
+  std::ofstream(folder / "bad.csv") << "x,pressure_GPa\n0.9,10\n1,foo\n1.1,-6\n1.2,-9\n";
+  expect_refused("cold --cold table:bad.csv --set density=2697.8kg/m3 --x 1", "", {"bad.csv", "3"});
+  std::ofstream(folder / "bad.csv") << "x,pump\n0.9,10\n";
+  expect_refused("cold --cold table:bad.csv --x 1", "", {"bad.csv", "line 1", "pressure_GPa"});
 }
 
 // ---- curves ---------------------------------------------------------------------------------------------------------------------------
@@ -552,8 +577,8 @@ TEST_F(EosExplorer, ListHasEveryName) {
     EXPECT_FALSE(r[8].empty()) << r[1];
     names += r[0] + ":" + r[1] + " ";
   }
-  for (const char* name : {"eos:paper ", "eos:mixed ", "eos:helm ", "eos:mie-gruneisen ", "eos:tillotson ", "eos:ideal-gas ", "eos:stiffened-gas ", "eos:jwl ",
-                           "cold:cai-ye ", "cold:cai-ye-sharp ", "cold:zhou04 ", "cold:rose ", "cold:vinet ", "cold:bm3 ", "cold:setfl:FILE "})
+  for (const char* name : {"eos:paper ", "eos:mixed ", "eos:helm ", "eos:mie-gruneisen ", "eos:tillotson ", "eos:ideal-gas ",
+                           "eos:stiffened-gas ", "eos:jwl ", "cold:cai-ye ", "cold:cai-ye-sharp ", "cold:zhou04 ", "cold:rose ", "cold:vinet ", "cold:bm3 ", "cold:setfl:FILE "})
     EXPECT_NE(names.find(name), std::string::npos) << name;
 }
 
