@@ -6,9 +6,10 @@
 //   F(rho) = sum Fn_i (rho/(0.85 rho_e) - 1)^i   for rho < 0.85 rho_e
 //            sum F_i  (rho/rho_e - 1)^i          up to 1.15 rho_e
 //            F_e (1 - eta ln y) y^eta, y = rho/rho_s   above
-// As published: where the pieces join, F steps by 4e-7 eV, F' by 5e-7 eV/rho_e and, at 1.15 rho_e, F'' by 3.1 eV/rho_e^2 (aluminium of
-// 2004), so the cold curve's p_c kinks where the lattice's density crosses 1.15 rho_e; F(0) is -1e-6 eV rather than 0. No cut-off is
-// published: the (u - lambda)^20 of the denominators ends both functions near 2 r_e. The lattice is fcc with a0 = sqrt 2 r_e.
+// As published: where the pieces join, F steps by 4e-7 eV, F' by 6e-7 eV/rho_e and, at 1.15 rho_e, F'' by 2.3 eV/rho_e^2 (aluminium of
+// 2004): the cold curve's p_c steps by 7 kPa at x = 1.1037, its slope from -71 to -151 GPa at x = 0.9152. F(0) is -1e-6 eV rather
+// than 0. No cut-off is published: the (u - lambda)^20 of the denominators ends both functions near 2 r_e. The lattice is fcc with
+// a0 = sqrt 2 r_e.
 // Default: aluminium of 2004. The set of 2001 (Acta Mater. 49, 4005) has the same form; its a0 and bulk modulus are not aluminium's.
 #pragma once
 

@@ -88,7 +88,8 @@ template <class P> std::array<real, 2> brute_sums(const P& p, real a, const defo
 }
 
 inline real brute_cai_ye::F(real rho) const {
-  static const real scale[2] = {brute_sums(brute_cai_ye{false}, 4.05L, stretch(1, 1, 1))[0], brute_sums(brute_cai_ye{true}, 4.05L, stretch(1, 1, 1))[0]};
+  static const real scale[2] = {brute_sums(brute_cai_ye{false}, 4.05L, stretch(1, 1, 1))[0],
+                                brute_sums(brute_cai_ye{true}, 4.05L, stretch(1, 1, 1))[0]};
   const real y = rho / scale[sharp ? 1 : 0];
   return -2.61L * (1 - 0.5L * std::log(y)) * std::sqrt(y) - 0.1392L * y;
 }

@@ -46,9 +46,9 @@ void expect_bound(const cold::table_error& found, const cold::table_error& state
 template <class Exact> void expect_honest(const Exact& exact, const std::string& what, int points, double eta_max = 5, int per_unit = 200) {
   const cold::tabulated table{exact, eta_max, per_unit};
   const auto inside = worst(exact, table, 0.2, eta_max, points), outside = worst(exact, table, 1e-4, 0.2, points);
-  std::printf("%-16s eta <= %g, %5d a unit: p %.2e of %.2e, e %.2e of %.2e, slope %.2e of %.2e; x > 5: p %.2e of %.2e\n", what.c_str(), eta_max, per_unit,
-              inside.pressure, table.error().pressure, inside.energy, table.error().energy, inside.slope, table.error().slope, outside.pressure,
-              table.error_expanded().pressure);
+  std::printf("%-16s eta <= %g, %5d a unit: p %.2e of %.2e, e %.2e of %.2e, slope %.2e of %.2e; x > 5: p %.2e of %.2e\n", what.c_str(),
+              eta_max, per_unit, inside.pressure, table.error().pressure, inside.energy, table.error().energy, inside.slope,
+              table.error().slope, outside.pressure, table.error_expanded().pressure);
   expect_bound(inside, table.error(), what);
   expect_bound(outside, table.error_expanded(), what + ", x > 5");
   EXPECT_LE(std::max({inside.pressure, inside.energy, outside.pressure, outside.energy}), table.max_relative_error()) << what;
@@ -88,7 +88,8 @@ TEST(ColdTable, BoundHoldsOnRandomPointsOfTablesOfTables) {
   }
   const double rho0 = rose.reference_density();
   expect_honest(cold::user_table{x, p, {.value_unit = unit::GPa, .reference_density = rho0}}, "user's p", many, 3.3);
-  expect_honest(cold::user_table{x, e, {.value = cold::value_column::specific_energy, .value_unit = unit::MJ, .reference_density = rho0}}, "user's e", many, 3.3);
+  expect_honest(cold::user_table{x, e, {.value = cold::value_column::specific_energy, .value_unit = unit::MJ, .reference_density = rho0}},
+                "user's e", many, 3.3);
 }
 
 TEST(ColdTable, DocumentedErrorOfTheDefault) {

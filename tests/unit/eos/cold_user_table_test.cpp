@@ -54,20 +54,29 @@ TEST(UserTable, ComesBackFromPressureInEveryUnit) {
   const auto p = sample(80, ratio, GPa);
   expect_source({p.volume, p.value, {.value_unit = unit::GPa, .reference_density = rho0}}, 5e-5, 5e-6, "V/V0, GPa");
   const auto d = sample(80, [](double x) { return rho0 / x / 1e3; }, [](const auto& c) { return c.pressure / 1e11; });
-  expect_source({d.volume, d.value, {.volume = volume_column::density, .volume_unit = g_cm3, .value_unit = unit::Mbar, .reference_density = rho0}}, 5e-5, 5e-6, "g/cm3, Mbar");
+  expect_source(
+      {d.volume, d.value, {.volume = volume_column::density, .volume_unit = g_cm3, .value_unit = unit::Mbar, .reference_density = rho0}},
+      5e-5, 5e-6, "g/cm3, Mbar");
   const auto v = sample(80, [](double x) { return x / rho0 * 1e6; }, GPa); // cm3/kg
-  expect_source({v.volume, v.value, {.volume = volume_column::specific_volume, .volume_unit = 1e-6, .value_unit = unit::GPa}}, 5e-5, 5e-6, "cm3/kg, rho0 found");
+  expect_source({v.volume, v.value, {.volume = volume_column::specific_volume, .volume_unit = 1e-6, .value_unit = unit::GPa}}, 5e-5, 5e-6,
+                "cm3/kg, rho0 found");
   const auto a = sample(80, [](double x) { return x / rho0 * atom * 1e30; }, GPa);
-  expect_source({a.volume, a.value, {.volume = volume_column::atomic_volume, .volume_unit = angstrom3, .value_unit = unit::GPa, .atomic_mass = atom}}, 5e-5, 5e-6,
-                "angstrom3, rho0 found");
+  expect_source(
+      {a.volume, a.value, {.volume = volume_column::atomic_volume, .volume_unit = angstrom3, .value_unit = unit::GPa, .atomic_mass = atom}},
+      5e-5, 5e-6, "angstrom3, rho0 found");
 }
 TEST(UserTable, ComesBackFromEnergy) {
   const double angstrom3 = unit::angstrom * unit::angstrom * unit::angstrom;
   const auto e = sample(160, ratio, [](const auto& c) { return c.energy / 1e6 - 12.0; }); // from another zero
-  expect_source({e.volume, e.value, {.value = value_column::specific_energy, .value_unit = unit::MJ, .reference_density = rho0}}, 5e-4, 1e-5, "MJ/kg");
+  expect_source({e.volume, e.value, {.value = value_column::specific_energy, .value_unit = unit::MJ, .reference_density = rho0}}, 5e-4,
+                1e-5, "MJ/kg");
   const auto a = sample(160, [](double x) { return x / rho0 * atom * 1e30; }, [](const auto& c) { return c.energy * atom / unit::eV - 3.36; });
   const user_table t(a.volume, a.value,
-                     {.volume = volume_column::atomic_volume, .volume_unit = angstrom3, .value = value_column::atomic_energy, .value_unit = unit::eV, .atomic_mass = atom});
+                     {.volume = volume_column::atomic_volume,
+                      .volume_unit = angstrom3,
+                      .value = value_column::atomic_energy,
+                      .value_unit = unit::eV,
+                      .atomic_mass = atom});
   expect_close(t.reference_density(), rho0, 2e-5, 0, "rho0 found");
   for (double x = 0.42; x < 2.4; x *= 1.02) expect_close(t.evaluate(x).pressure, source.evaluate(x).pressure, 1e-3, 1e9, "p at " + std::to_string(x));
 }
@@ -240,7 +249,8 @@ TEST(UserTable, RefusesBadColumnsWithASentence) {
   expect_refusal(good, {}, "cold::user_table reference_density = 0 kg/m3: must be > 0 where the first column is V/V0 (unit: kg/m3)");
   expect_refusal(good, {.volume_unit = -1, .reference_density = 1}, "cold::user_table volume_unit = -1: must be > 0 and finite");
   expect_refusal(good, {.value_unit = 0, .reference_density = 1}, "cold::user_table value_unit = 0: must be > 0 and finite");
-  expect_refusal(good, {.value = value_column::atomic_energy, .reference_density = 1}, "cold::user_table atomic_mass = 0 kg: must be > 0 where a column is per atom (unit: kg)");
+  expect_refusal(good, {.value = value_column::atomic_energy, .reference_density = 1},
+                 "cold::user_table atomic_mass = 0 kg: must be > 0 where a column is per atom (unit: kg)");
   expect_refusal("1 5\n2 4\n3 3\n4 2\n", {.volume = volume_column::specific_volume},
                  "cold::user_table: nowhere among the points does the pressure fall through 0: state reference_density");
   EXPECT_THROW(user_table::read("/no/such/file.csv", text_columns), bad_parameter);

@@ -31,7 +31,8 @@ struct difference {
   double energy = 0, pressure = 0, slope = 0; // eV; relative to |p| + 1 GPa
 };
 template <class P> difference largest_difference(const P& p, const potential::setfl& file, double low, double high) {
-  const cold::lattice exact{p}, read{file};
+  const cold::lattice exact{p};
+  const cold::lattice read{file};
   difference most;
   for (double x = low; x < high; x *= 1.017) {
     const auto a = exact.evaluate(x), b = read.evaluate(x);
@@ -173,7 +174,8 @@ TEST(Setfl, RefusesWithLineAndExpectation) {
   expect_refusal(changed(s, "5 4 3", "5 4e999 3"), "f.eam line 8: expected value 2 of 6 of f(r) of Fe, found '4e999'");
   expect_refusal(changed(s, "6 5 4 3 2 1\n", "6 5 4\n"), "f.eam line 10: expected value 4 of 6 of r phi(r) of Fe-Fe, found the end of the text");
   expect_refusal(changed(s, "6 5 4 3 2 1\n", "6 5 4 x"), "f.eam line 9: expected value 4 of 6 of r phi(r) of Fe-Fe, found 'x'");
-  expect_refusal(s + "7\n", "f.eam line 10: expected the end of the text after the last of 6 values, found '7' (wrong N_rho or N_r, or a file of another style, such "
+  expect_refusal(s + "7\n", "f.eam line 10: expected the end of the text after the last of 6 values, found '7' (wrong N_rho or N_r, or a "
+                            "file of another style, such "
                             "as adp or fs)");
   try {
     potential::setfl::read("/no/such/file.eam");
@@ -211,6 +213,23 @@ TEST(Setfl, NeverCrashesOnDamage) {
     std::generate(text.begin(), text.end(), [&] { return static_cast<char>(byte(random)); });
     EXPECT_TRUE(refused(text));
   }
+}
+
+// Public files, where they are installed (Debian: lammps-data): a potential with published constants, and files that are no setfl.
+TEST(Setfl, ReadsPublicFiles) {
+  const std::string folder = "/usr/share/lammps/potentials/";
+  if (!std::ifstream(folder + "Cu_mishin1.eam.alloy")) GTEST_SKIP() << "no " << folder << "Cu_mishin1.eam.alloy (Debian: lammps-data)";
+  const cold::lattice copper{potential::setfl::read(folder + "Cu_mishin1.eam.alloy")}; // Mishin et al., Phys. Rev. B 63 (2001) 224106
+  EXPECT_NEAR(copper.cohesive_energy_per_atom(), 3.54, 0.0005);
+  EXPECT_NEAR(copper.bulk_modulus() / 1e9, 138.3, 0.1);
+  const auto c = copper.elastic();
+  EXPECT_NEAR(c.C11 / 1e9, 169.9, 0.1);
+  EXPECT_NEAR(c.C12 / 1e9, 122.6, 0.1);
+  EXPECT_NEAR(c.C44 / 1e9, 76.2, 0.1);
+  EXPECT_NO_THROW(potential::setfl::read(folder + "W_zhou.eam.alloy"));
+  EXPECT_NO_THROW(potential::setfl::read(folder + "NiAlH_jea.eam.alloy", "Al"));
+  for (const char* other : {"AlFe_mm.eam.fs", "NiAlH_jea.eam.fs", "AlCu.adp", "Ni_u3.eam"})
+    EXPECT_THROW(potential::setfl::read(folder + other, std::string(other) == "Ni_u3.eam" ? "" : "Al"), bad_parameter) << other;
 }
 
 TEST(Setfl, WriterRefusesWhatItCannotWrite) {

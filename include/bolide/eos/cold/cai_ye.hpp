@@ -20,7 +20,8 @@ using potential::cutoff;
 
 class cai_ye : public lattice<potential::cai_ye> {
 public:
-  explicit cai_ye(cutoff reach = cutoff::none, const cai_ye_parameters& parameters = {}) : lattice(potential::cai_ye(reach, parameters, "cold::cai_ye")) {}
+  explicit cai_ye(cutoff reach = cutoff::none, const cai_ye_parameters& parameters = {})
+      : lattice(potential::cai_ye(reach, parameters, "cold::cai_ye")) {}
 
   /// The electron density of the lattice at x = 1 with f_e = 1, which is rho_e.
   double density_at_one() const { return potential().equilibrium_density(); }

@@ -94,7 +94,8 @@ private:
       y.push_back(pressure ? p.value : p.value * density_);
     }
     fill(y, pressure);
-    require(x_low() <= 1 && x_high() >= 1, "cold::user_table x = V/V0 = 1", 1, "among the points, which run from " + to_text(x_low()) + " to " + to_text(x_high()));
+    require(x_low() <= 1 && x_high() >= 1, "cold::user_table x = V/V0 = 1", 1,
+            "among the points, which run from " + to_text(x_low()) + " to " + to_text(x_high()));
     const double at_one = inside(1).energy;
     for (piece& p : pieces_) p.c[0] -= density_ * at_one;
     low_ = inside(x_low());
@@ -105,12 +106,13 @@ private:
   static void check(const table_columns& c) {
     require(c.volume_unit > 0 && std::isfinite(c.volume_unit), "cold::user_table volume_unit", c.volume_unit, "> 0 and finite");
     require(c.value_unit > 0 && std::isfinite(c.value_unit), "cold::user_table value_unit", c.value_unit, "> 0 and finite");
-    require(c.reference_density >= 0 && std::isfinite(c.reference_density), "cold::user_table reference_density", c.reference_density, ">= 0 and finite",
-            "kg/m3");
+    require(c.reference_density >= 0 && std::isfinite(c.reference_density), "cold::user_table reference_density", c.reference_density,
+            ">= 0 and finite", "kg/m3");
     require(c.volume != volume_column::ratio || c.reference_density > 0, "cold::user_table reference_density", c.reference_density,
             "> 0 where the first column is V/V0", "kg/m3");
     const bool atoms = c.volume == volume_column::atomic_volume || c.value == value_column::atomic_energy;
-    require(!atoms || (c.atomic_mass > 0 && std::isfinite(c.atomic_mass)), "cold::user_table atomic_mass", c.atomic_mass, "> 0 where a column is per atom", "kg");
+    require(!atoms || (c.atomic_mass > 0 && std::isfinite(c.atomic_mass)), "cold::user_table atomic_mass", c.atomic_mass,
+            "> 0 where a column is per atom", "kg");
   }
   static point in_si(double volume, double value, const table_columns& c) {
     const double v = volume * c.volume_unit, y = value * c.value_unit;
@@ -124,15 +126,19 @@ private:
       if (!std::isfinite(list[i].volume) || !std::isfinite(list[i].value)) say(i, "not a finite number");
       if (!(list[i].volume > 0)) say(i, "expected a volume or density > 0");
       if (i > 0 && list[i].volume == list[i - 1].volume) say(i, "the volume is that of the point before");
-      if (i > 1 && (list[i].volume > list[i - 1].volume) != (list[1].volume > list[0].volume)) say(i, "the volumes are not sorted: they must rise or fall throughout");
+      if (i > 1 && (list[i].volume > list[i - 1].volume) != (list[1].volume > list[0].volume))
+        say(i, "the volumes are not sorted: they must rise or fall throughout");
     }
   }
   static std::vector<point> points(std::span<const double> volumes, std::span<const double> values, const table_columns& columns) {
     check(columns);
-    require(volumes.size() == values.size(), "cold::user_table number of values", double(values.size()), "that of the volumes, " + to_text(double(volumes.size())));
+    require(volumes.size() == values.size(), "cold::user_table number of values", double(values.size()),
+            "that of the volumes, " + to_text(double(volumes.size())));
     std::vector<point> list;
     for (std::size_t i = 0; i < volumes.size(); ++i) list.push_back(in_si(volumes[i], values[i], columns));
-    check_order(list, [](std::size_t i, const std::string& what) { throw bad_parameter("cold::user_table point " + std::to_string(i + 1) + ": " + what); });
+    check_order(list, [](std::size_t i, const std::string& what) {
+      throw bad_parameter("cold::user_table point " + std::to_string(i + 1) + ": " + what);
+    });
     return list;
   }
   static std::vector<point> columns_of(std::string_view all, const table_columns& columns, std::string_view source) {
@@ -155,7 +161,8 @@ private:
         continue;
       }
       if (!one || !two) at.refuse_at(number, "expected two numbers, found " + text::shown(line));
-      if (const std::string_view third = words.next_word_of_line(); !third.empty()) at.refuse_at(number, "expected two columns, found a third, " + text::shown(third));
+      if (const std::string_view third = words.next_word_of_line(); !third.empty())
+        at.refuse_at(number, "expected two columns, found a third, " + text::shown(third));
       list.push_back(in_si(volume, value, columns));
       lines.push_back(number);
     }
