@@ -72,7 +72,6 @@ public:
     path_.push_back(walk.at());
     while (walk.advance(1e300)) path_.push_back(walk.at());
     if (walk.at().y > path_.back().y) path_.push_back(walk.at());
-    end_ = walk.end();
   }
 
   const Eos& eos() const { return eos_; }
@@ -84,8 +83,6 @@ public:
 
   /// The speed that expansion can give at most (m/s): into vacuum, or to where c^2 = 0.
   double largest_gain() const { return path_.back().u; }
-  /// Ends the expansion in vacuum (a gas), not at an instability?
-  bool ends_in_vacuum() const { return end_ == isentrope_end::density_limit; }
 
   /// Pa; beyond the largest gain the pressure there, and infinity where no shock carries the push.
   double pressure_at(double push) const {
@@ -186,7 +183,6 @@ private:
   Eos eos_;
   double rho_, e_, p_ = 0, c_ = 0;
   std::vector<detail::isentrope_point> path_; // the expansion, step by step
-  isentrope_end end_ = isentrope_end::reached;
 };
 
 /// Two materials in contact, after their waves have parted.
@@ -209,11 +205,11 @@ inline wave in_frame(wave w, double sign, double u) {
 
 template <class L, class R> meeting separated(const wave_curve<L>& left, double u_left, const wave_curve<R>& right, double u_right) {
   const double push_left = left.free_surface_push(), push_right = right.free_surface_push();
-  const auto text = [](bool gas) { return gas ? "fills it to density 0" : "has a free surface"; };
+  const auto text = [](double from, double to) { return to < 1e-6 * from ? "fills it to density 0" : "has a free surface"; };
   meeting m{std::nan(""), 0, in_frame(left.wave_for(push_left), -1, u_left), in_frame(right.wave_for(push_right), 1, u_right),
             wave_status::vacuum, {}};
-  m.message = std::string("the materials separate and leave a gap: the left one ") + text(left.ends_in_vacuum()) + ", the right one " +
-              text(right.ends_in_vacuum());
+  m.message = std::string("the materials separate and leave a gap: the left one ") + text(left.density(), m.left.density) + ", the right one " +
+              text(right.density(), m.right.density);
   if (u_left - push_left > u_right + push_right) {
     m.status = wave_status::no_solution;
     m.message = "no common pressure within what the equations of state hold in tension, and free surfaces would overlap";
