@@ -23,27 +23,30 @@ template <class Eos> class adapted_eos : public any_eos {
 public:
   adapted_eos(Eos eos, phases named, std::string remark) : eos_(std::move(eos)), named_(named), remark_(std::move(remark)) {}
 
-  bolide::thermal_point<double> evaluate(double rho, double e) const override {
+  bolide::thermal_point<double> evaluate(double rho, double e) const override { return widened(eos_.evaluate(rho, e), rho, e); }
+  described_point describe(double rho, double e) const override {
     const auto r = eos_.evaluate(rho, e);
-    const double none = std::nan("");
-    if constexpr (bolide::ThermalEquationOfState<Eos>) return r;
-    else return {r.pressure, r.sound_speed_squared, none, none, none, none, none, bolide::eos::pressure_energy(eos_, rho, e), none};
+    const bool finite = std::isfinite(r.pressure) && std::isfinite(r.sound_speed_squared);
+    return {widened(r, rho, e), region_of(r, rho, e), finite ? bolide::eos::name(bolide::eos::status_at(eos_, rho, e, r)) : "not_finite"};
   }
   double reference_density() const override { return eos_.reference_density(); }
   bool knows_temperature() const override { return bolide::ThermalEquationOfState<Eos>; }
   bool knows_melting() const override { return named_ == phases::by_region; }
-  std::string region(double rho, double e) const override {
-    return named_ == phases::single ? "single" : bolide::eos::region_name(eos_, rho, e);
-  }
-  std::string status(double rho, double e) const override {
-    const auto r = eos_.evaluate(rho, e);
-    if (!std::isfinite(r.pressure) || !std::isfinite(r.sound_speed_squared)) return "not_finite";
-    return bolide::eos::name(bolide::eos::status_at(eos_, rho, e, r));
-  }
   bolide::eos::validity_box validity() const override { return bolide::eos::validity_of(eos_); }
   std::string remark() const override { return remark_; }
 
 private:
+  template <class Point> bolide::thermal_point<double> widened(const Point& r, double rho, double e) const {
+    const double none = std::nan("");
+    if constexpr (bolide::ThermalEquationOfState<Eos>) return r;
+    else return {r.pressure, r.sound_speed_squared, none, none, none, none, none, bolide::eos::pressure_energy(eos_, rho, e), none};
+  }
+  template <class Point> std::string region_of(const Point& r, double rho, double e) const {
+    if (named_ == phases::single) return "single";
+    if constexpr (bolide::ThermalEquationOfState<Eos>) return bolide::name(bolide::to_region(r.region));
+    else return bolide::eos::region_name(eos_, rho, e);
+  }
+
   Eos eos_;
   phases named_;
   std::string remark_;

@@ -13,6 +13,13 @@
 
 namespace explorer {
 
+/// A point with its names.
+struct described_point {
+  bolide::thermal_point<double> at;
+  std::string region; // as the output tables have it
+  std::string status; // "ok", or why the answer is not to be trusted
+};
+
 class any_eos {
 public:
   virtual ~any_eos() = default;
@@ -21,13 +28,13 @@ public:
   virtual double reference_density() const = 0;
   virtual bool knows_temperature() const = 0;
   virtual bool knows_melting() const = 0;
-  /// Name of the region of its phase diagram, as the output tables have it.
-  virtual std::string region(double rho, double e) const = 0;
-  /// "ok", or why the answer is not to be trusted.
-  virtual std::string status(double rho, double e) const = 0;
+  virtual described_point describe(double rho, double e) const = 0;
   virtual bolide::eos::validity_box validity() const = 0;
   /// What its user should be told: how far a table is from the exact model. Empty for an exact model.
   virtual std::string remark() const = 0;
+
+  std::string region(double rho, double e) const { return describe(rho, e).region; }
+  std::string status(double rho, double e) const { return describe(rho, e).status; }
 };
 using eos_pointer = std::shared_ptr<const any_eos>;
 

@@ -53,12 +53,12 @@ answer points(const request& r) {
   csv_output out(header);
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto [rho, e] = all[i];
-    const auto s = eos->evaluate(rho, e);
+    const auto [s, region, status] = eos->describe(rho, e);
     const double dp_dV = s.pressure * s.pressure_energy - s.sound_speed_squared * rho * rho; // c^2 = V^2 (p p_e - p_V)
     std::vector<std::string> row = in.lines[i].cells;
-    row.insert(row.end(), {eos->region(rho, e), written(s.temperature), written(s.pressure), written(s.sound_speed_squared),
+    row.insert(row.end(), {region, written(s.temperature), written(s.pressure), written(s.sound_speed_squared),
                            written(s.pressure_energy), written(dp_dV), eos->knows_melting() ? written(s.melt_fraction) : "",
-                           eos->status(rho, e)});
+                           status});
     out.put(row);
   }
   return answer_of(out.text(), *eos);

@@ -23,8 +23,11 @@ public:
   double reference_density() const override { return scaled_.reference_density(); }
   bool knows_temperature() const override { return base_->knows_temperature(); }
   bool knows_melting() const override { return base_->knows_melting(); }
-  std::string region(double rho, double e) const override { return base_->region(rho / factor_, e); }
-  std::string status(double rho, double e) const override { return base_->status(rho / factor_, e); }
+  described_point describe(double rho, double e) const override {
+    described_point d = base_->describe(rho / factor_, e);
+    d.at = evaluate(rho, e);
+    return d;
+  }
   bolide::eos::validity_box validity() const override {
     const auto box = base_->validity();
     return {factor_ * box.density_low, factor_ * box.density_high, box.energy_low, box.energy_high};
