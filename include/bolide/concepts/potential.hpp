@@ -11,8 +11,8 @@
 //     double lattice_constant() const;               // angstrom: the cubic cell's edge a0, where x = V/V0 = 1
 //     lattice structure() const;                     // the crystal that has this lattice constant
 //     double mass() const;                           // of an atom, in atomic mass units
-// Invariants: `first` and `second` are the derivatives of `value`; F(0) = 0 with finite derivatives, so that free atoms have no energy
-// (where F' is not finite at 0 the model answers 0 there). pair and density are not cut here: whoever sums drops what lies beyond
+// Invariants: `first` and `second` are the derivatives of `value`. F(0) is the energy of a free atom: 0, or near it in a fit or a file;
+// where F' is not finite there, the model answers 0 for it. pair and density are not cut here: whoever sums drops what lies beyond
 // reach(), so a cut-off with a jump ("sharp") keeps both sides. Cost: set-up work, plain double.
 #pragma once
 

@@ -107,7 +107,7 @@ template <class Cold> void expect_summary(const Cold& c, const summary& s, const
   EXPECT_NEAR(c.evaluate(1.0).pressure, s.pressure, s.pressure_digit) << what;
   EXPECT_NEAR(c.bulk_modulus() / 1e9, s.B, .005) << what;
   EXPECT_NEAR(c.bulk_modulus_derivative(), s.derivative, .005) << what;
-  const auto e = c.elastic();
+  const auto e = c.elastic_constants();
   EXPECT_NEAR(e.C11 / 1e9, s.C11, s.elastic_digit) << what;
   EXPECT_NEAR(e.C12 / 1e9, s.C12, s.elastic_digit) << what;
   EXPECT_NEAR(e.C44 / 1e9, s.C44, s.elastic_digit) << what;
@@ -162,7 +162,7 @@ template <class Cold, class Brute> void expect_elastic(const Cold& cold, const B
   };
   const real tetragonal = second([&](real d) { return test::brute_energy(brute, x, test::stretch(1 + d, 1 / (1 + d), 1)); }) / 2;
   const real shear = second([&](real d) { return test::brute_energy(brute, x, {{{1, d, 0}, {d, 1, 0}, {0, 0, 1 / (1 - d * d)}}}); }) / 4;
-  const auto c = cold.elastic(double(x));
+  const auto c = cold.elastic_constants(double(x));
   const std::string at = what + " at x = " + std::to_string(double(x));
   expect_close(c.C11 - c.C12, double(tetragonal), 1e-8, 1e9, "C11 - C12, " + at);
   expect_close(c.C44, double(shear), 1e-8, 1e9, "C44, " + at);

@@ -222,7 +222,7 @@ TEST(Setfl, ReadsPublicFiles) {
   const cold::lattice copper{potential::setfl::read(folder + "Cu_mishin1.eam.alloy")}; // Mishin et al., Phys. Rev. B 63 (2001) 224106
   EXPECT_NEAR(copper.cohesive_energy_per_atom(), 3.54, 0.0005);
   EXPECT_NEAR(copper.bulk_modulus() / 1e9, 138.3, 0.1);
-  const auto c = copper.elastic();
+  const auto c = copper.elastic_constants();
   EXPECT_NEAR(c.C11 / 1e9, 169.9, 0.1);
   EXPECT_NEAR(c.C12 / 1e9, 122.6, 0.1);
   EXPECT_NEAR(c.C44 / 1e9, 76.2, 0.1);

@@ -29,7 +29,7 @@ namespace bolide::cold {
 
 /// The three elastic constants of a cubic crystal, Pa. Under pressure they are the stress-strain coefficients: those of the sound
 /// speeds (rho c^2 along [100]: C11 longitudinal, C44 transverse), and (C11 + 2 C12)/3 is the bulk modulus at any x.
-struct elastic_constants {
+struct cubic_elastic_constants {
   double C11, C12, C44;
 };
 
@@ -64,7 +64,7 @@ public:
     return dB_dx / exact(x).slope;
   }
   /// From the second derivatives of E under a homogeneous strain, the embedding term included.
-  elastic_constants elastic(double x = 1) const;
+  cubic_elastic_constants elastic_constants(double x = 1) const;
   /// Energy to take an atom out and put it back at a site of the bulk, eV, the others left where they are (unrelaxed).
   double vacancy_energy(double x = 1) const;
 
@@ -121,7 +121,7 @@ private:
 
 // With the Lagrangian strain eta, r^2 = X.(1 + 2 eta).X: d phi = (phi'/r) X_i X_j d eta_ij, and the second derivative of a pair function
 // is (phi'' - phi'/r)/r^2 X_i X_j X_k X_l. The stress-strain coefficients follow with -p, +p, -p.
-template <EmbeddedAtomPotential Potential> elastic_constants lattice<Potential>::elastic(double x) const {
+template <EmbeddedAtomPotential Potential> cubic_elastic_constants lattice<Potential>::elastic_constants(double x) const {
   double rho = 0, rho1 = 0, rho_xxxx = 0, rho_xxyy = 0, pair1 = 0, pair_xxxx = 0, pair_xxyy = 0;
   each_shell(x, [&](const bolide::potential::shell& s, double r) {
     const potential_value f = potential_.density(r), phi = potential_.pair(r);
