@@ -44,7 +44,8 @@ figure plot_of(const request& r, const start& s, const melt_thresholds& t) {
   const double end = 1.35 * t.hugoniot_end.pressure;
   panel p{"pressure (GPa)", "temperature (K)", {}};
   p.curves.push_back(melting_curve(*s.eos, false, end));
-  p.curves.push_back(melting_curve(*s.eos, true, end));
+  if (t.hugoniot_begin.pressure < t.hugoniot_end.pressure) p.curves.push_back(melting_curve(*s.eos, true, end));
+  else p.curves.back().label = "melting"; // a model without a mixed phase
   curve path{"shock, " + r.model.eos, line_style::solid, 0, {s.pressure / 1e9}, {s.eos->evaluate(s.density, s.energy).temperature}};
   for (const shock_state& a : shocks(s, 50, 1.3 * t.hugoniot_end.particle_speed, 160)) {
     if (a.pressure > end) break;

@@ -58,11 +58,12 @@ struct place_sample {
 
 figure plot_of_profile(const std::vector<place_sample>& all, double time) {
   figure f;
+  const double reach = std::max(std::abs(all.front().x), std::abs(all.back().x)), metre = reach < 1e-4 ? 1e-6 : reach < 0.1 ? 1e-3 : 1;
   const auto add = [&](const char* label, double unit, const auto& get) {
-    curve c{"t = " + bolide::to_text(time) + " s", line_style::solid, 0, {}, {}};
+    curve c{"t = " + bolide::quantity::format(time, dimension::time), line_style::solid, 0, {}, {}};
     for (const auto& s : all)
-      if (std::isfinite(get(s.flow))) c.x.push_back(s.x), c.y.push_back(get(s.flow) / unit);
-    f.panels.push_back({"x (m)", label, {c}});
+      if (std::isfinite(get(s.flow))) c.x.push_back(s.x / metre), c.y.push_back(get(s.flow) / unit);
+    f.panels.push_back({metre == 1 ? "x (m)" : metre == 1e-3 ? "x (mm)" : "x (\u00b5m)", label, {c}});
   };
   double largest = 0; // of the pressure: gases are drawn in Pa, metals in GPa
   for (const auto& s : all) largest = std::max(largest, std::abs(s.flow.pressure));

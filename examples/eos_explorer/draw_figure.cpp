@@ -21,6 +21,14 @@ struct range {
   double low, high, step;
 };
 
+/// The step between numbers along the horizontal axis, so wide that none touches the next.
+double roomy_step(const range& r) {
+  for (double count = 6;; count -= 1) {
+    const double step = observe::nice_step(r.high - r.low, count), room = panel_width * step / (r.high - r.low);
+    if (count <= 2 || observe::widest_tick(r.low, r.high, step, text) + 1.5 * text < room) return step;
+  }
+}
+
 /// The ticks' range around the data.
 range nice_range(double low, double high) {
   if (!(high > low)) {
@@ -107,11 +115,12 @@ rectangle find_legend_place(const panel& p, field& f) {
 void draw_axes(canvas& on, const panel& p, const field& f) {
   using observe::anchor;
   const double end_x = f.x0 + panel_width, end_y = f.y0 + panel_height, tick = 3.5;
-  for (const double v : observe::ticks(f.across.low, f.across.high, f.across.step)) {
+  const double step = roomy_step(f.across);
+  for (const double v : observe::ticks(f.across.low, f.across.high, step)) {
     const double x = f.at(v, 0).x;
     on.line({{x, end_y}, {x, end_y - tick}}, 0.6, false, observe::ink);
     on.line({{x, f.y0}, {x, f.y0 + tick}}, 0.6, false, observe::ink);
-    on.text({x, end_y + text + 5}, observe::tick_text(v, f.across.step), text, anchor::middle, false);
+    on.text({x, end_y + text + 5}, observe::tick_text(v, step), text, anchor::middle, false);
   }
   const range nice = nice_range(f.up.low, f.up.high); // as many numbers as fit: the axis may have grown for the legend
   double widest = 0;
