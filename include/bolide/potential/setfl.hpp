@@ -7,11 +7,11 @@
 //   per element    a line: atomic number, mass (u), lattice constant (angstrom), structure;
 //                  N_rho values of F(rho), eV, from rho = 0; N_r values of f(r) from r = 0
 //   per pair       i >= j: N_r values of r phi(r), eV angstrom, from r = 0
-// Between the values stands the C2 cubic spline through them (core/cubic_spline.hpp); its error falls like the fourth power of the
-// steps, but F ~ sqrt(rho) of many potentials bends without limit at rho = 0, where every table is poor: choose d_rho small against
-// the densities of the expanded lattice. A coarse file says no more than its points, and every program's interpolation makes another
-// curve of it (a public file of Cai-Ye's aluminium with d_rho = 0.22 rho_e: p at x = 1 is -236 MPa here, -13 MPa in LAMMPS, +4 MPa by
-// the formula). Beyond the last rho, F goes on in a straight line (largest_density() says where); beyond the last r, pair and density
+// Between the values stands the cubic Hermite polynomial with slopes from four neighbours, as in LAMMPS, so that a file means the same
+// curve here and there (a C2 spline through a coarse file is another one: a public file of Cai-Ye's aluminium with d_rho = 0.22 rho_e has
+// p = -13.5 MPa at x = 1 here and there, +4.5 MPa by the formula, -236 MPa with a C2 spline). The error falls like the fourth power of the
+// steps; second derivatives are continuous inside a step only. F ~ sqrt(rho) of many potentials bends without limit at rho = 0, where every
+// table is poor: choose d_rho small against the densities of the expanded lattice. Beyond the last rho, F goes on in a straight line (largest_density() says where); beyond the last r, pair and density
 // are 0. reach() is the file's cut-off or the table's end, whichever is nearer.
 // A text that is no such file is refused with its line and what was expected; nothing after the last table is accepted (a file
 // of another style, adp or fs, holds more).
@@ -19,7 +19,6 @@
 
 #include "bolide/concepts/potential.hpp"
 #include "bolide/core/contract.hpp"
-#include "bolide/core/cubic_spline.hpp"
 #include "bolide/core/text_input.hpp"
 
 #include <algorithm>
@@ -38,14 +37,18 @@
 namespace bolide::potential {
 
 namespace detail {
-/// The cubic spline through values at 0, step, 2 step ...
+/// The cubic Hermite polynomial through values at 0, step, 2 step ... with slopes of fourth order inside and LAMMPS's at the ends.
 class uniform_spline {
 public:
   uniform_spline() = default;
-  uniform_spline(double step, std::vector<double> values) : step_(step), value_(std::move(values)) {
-    std::vector<double> places(value_.size());
-    for (std::size_t i = 0; i < places.size(); ++i) places[i] = double(i);
-    slope_ = spline_slopes(places, value_); // per step
+  uniform_spline(double step, std::vector<double> values) : step_(step), value_(std::move(values)), slope_(value_.size()) {
+    const std::vector<double>& v = value_;
+    const std::size_t n = v.size();
+    slope_[0] = v[1] - v[0]; // per step
+    slope_[1] = 0.5 * (v[2] - v[0]);
+    for (std::size_t i = 2; i + 2 < n; ++i) slope_[i] = (v[i - 2] - v[i + 2] + 8 * (v[i + 1] - v[i - 1])) / 12;
+    slope_[n - 2] = 0.5 * (v[n - 1] - v[n - 3]);
+    slope_[n - 1] = v[n - 1] - v[n - 2];
   }
 
   double end() const { return step_ * double(value_.size() - 1); }
