@@ -6,7 +6,8 @@
 //   C = -T (G_m'' - p_m'' V),  c^2 = T V^2 p_m'^2/C,  melt fraction (V - V_s)/(V_l - V_s).
 // p_m' = dS/dV (Clapeyron), G_m' = -S_s + V_s p_m' and the second derivatives are exact at the nodes; between them both are quintic
 // polynomials of z = ln(1 + T/100 K), so that the mixture is one free energy to round-off and meets the phases to 1e-10.
-// The edges T_s(V), T_l(V) and their energies are cubic polynomials of ln x (T squared: it is that which is smooth at 0 K).
+// The edges T_s(V), T_l(V) and their energies are cubic polynomials of ln(1e-4 + d), d = ln x(0 K) - ln x (T squared: it is that which is
+// smooth at 0 K), good to 1e-9.
 #pragma once
 
 #include "bolide/core/contract.hpp"
@@ -107,10 +108,10 @@ public:
   template <class V> BOLIDE_INLINE V liquid_volume(V temperature) const { return read(liquid_, place_of(temperature)); }
 
   /// T_s^2, T_l^2 (K2) and the energies (J/kg) there, of ln x. Meaningful below solid_end and liquid_end.
-  template <class V> BOLIDE_INLINE V solidus_square(V log_x) const { return read(solidus_, log_x); }
-  template <class V> BOLIDE_INLINE V liquidus_square(V log_x) const { return read(liquidus_, log_x); }
-  template <class V> BOLIDE_INLINE V solidus_energy(V log_x) const { return read(solidus_energy_, log_x); }
-  template <class V> BOLIDE_INLINE V liquidus_energy(V log_x) const { return read(liquidus_energy_, log_x); }
+  template <class V> BOLIDE_INLINE V solidus_square(V log_x) const { return read_edge(solidus_, solid_end_, log_x); }
+  template <class V> BOLIDE_INLINE V liquidus_square(V log_x) const { return read_edge(liquidus_, liquid_end_, log_x); }
+  template <class V> BOLIDE_INLINE V solidus_energy(V log_x) const { return read_edge(solidus_energy_, solid_end_, log_x); }
+  template <class V> BOLIDE_INLINE V liquidus_energy(V log_x) const { return read_edge(liquidus_energy_, liquid_end_, log_x); }
 
 private:
   double solid_end_, liquid_end_;
@@ -154,28 +155,35 @@ private:
     fill_edges(phases, line, true, liquidus_, liquidus_energy_);
   }
 
-  static polynomial_table<4> edge_table(double low, double high) { return {low, (high - low) / double(edge_rows), edge_rows}; }
+  static constexpr double near_end = 1e-4; // in ln x: how fine the edges are at 0 K
+  static polynomial_table<4> edge_table(double low, double high) {
+    return {std::log(near_end), std::log1p((high - low) / near_end) / double(edge_rows), edge_rows};
+  }
+  template <class V> static BOLIDE_INLINE V read_edge(const polynomial_table<4>& table, double end, V log_x) {
+    using T = scalar_t<V>;
+    return read(table, log(T(near_end) + max(T(end) - log_x, V(T(0)))));
+  }
 
-  /// Walks down the line in T and along the edge in ln x together; each node is met by Newton's method in T squared.
+  /// Walks up the line in T and along the edge together; each node is met by Newton's method in T squared.
   static void fill_edges(const reference_phases& phases, const std::vector<coexistence_point>& line, bool is_liquid, polynomial_table<4>& square,
                          polynomial_table<4>& energy) {
     const auto log_x = [&](const coexistence_point& c) { return is_liquid ? c.liquid.log_x : c.solid.log_x; };
     const auto slope = [&](const coexistence_point& c) { return is_liquid ? c.liquid_slope : c.solid_slope; };
-    std::size_t i = line.size() - 1;
+    std::size_t i = 0;
     std::array<double, 4> before{};
     for (std::size_t k = 0; k <= edge_rows; ++k) {
-      const double wanted = square.left(k);
-      while (i > 0 && log_x(line[i - 1]) <= wanted) --i;
+      const double distance = std::exp(square.left(k)), wanted = log_x(line.front()) + near_end - distance;
+      while (i + 2 < line.size() && log_x(line[i + 1]) >= wanted) ++i;
       coexistence_point c = line[i];
-      for (int n = 0; n < 8 && i > 0; ++n) {
+      for (int n = 0; n < 12 && std::abs(wanted - log_x(c)) > 1e-14; ++n) {
         const double w = c.temperature * c.temperature, next = w + (wanted - log_x(c)) * 2 * c.temperature / slope(c);
-        const double low = line[i - 1].temperature, high = line[i].temperature;
+        const double low = line[i].temperature, high = line[i + 1].temperature;
         c = equilibrium(phases, std::sqrt(std::fmin(std::fmax(next, low * low), high * high)), c.solid.log_x, c.liquid.log_x);
-        if (std::abs(wanted - log_x(c)) < 1e-14) break;
       }
       const phase_state& s = is_liquid ? c.liquid : c.solid;
       const double volume_slope = -s.pressure * s.volume - s.temperature * s.cross; // de/dL at constant T
-      const std::array<double, 4> here{c.temperature * c.temperature, 2 * c.temperature / slope(c), s.energy, volume_slope + s.heat / slope(c)};
+      const std::array<double, 4> here{c.temperature * c.temperature, -2 * c.temperature / slope(c) * distance, s.energy,
+                                       -(volume_slope + s.heat / slope(c)) * distance};
       if (k > 0) {
         square.set(k - 1, cubic(square.step(), before[0], before[1], here[0], here[1]));
         energy.set(k - 1, cubic(square.step(), before[2], before[3], here[2], here[3]));
