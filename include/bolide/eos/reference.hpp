@@ -20,6 +20,7 @@
 #include "bolide/concepts/equation_of_state.hpp"
 #include "bolide/core/contract.hpp"
 #include "bolide/eos/reference/coexistence.hpp"
+#include "bolide/eos/reference/critical_point.hpp"
 #include "bolide/eos/reference/free_energy.hpp"
 #include "bolide/eos/validity.hpp"
 
@@ -35,16 +36,11 @@ struct reference_state {
   region where;
 };
 
-/// The end of the line between liquid and vapour.
-struct critical_point {
-  double temperature, density, pressure; // K, kg/m3, Pa
-};
-
 class reference {
 public:
   using parameters = reference_parameters;
 
-  explicit reference(const reference_parameters& p = {}) : phases_(p), line_(phases_), critical_(find_critical_point()) {
+  explicit reference(const reference_parameters& p = {}) : phases_(p), line_(phases_), critical_(detail::find_critical_point(phases_)) {
     R_ = p.R();
     critical_volume_ = p.rho0 / critical_.density;
     const auto pressure = line_.pressure(detail::coexistence::coldest), gibbs = line_.gibbs(detail::coexistence::coldest);
@@ -201,26 +197,6 @@ private:
             select(m, a.region, b.region),
             select(m, a.pressure_energy, b.pressure_energy),
             select(m, a.temperature_energy, b.temperature_energy)};
-  }
-
-  /// The temperature above which dp/dV < 0 at every volume of the liquid between 1.3 and 30 V0, and the state where it is 0 there.
-  critical_point find_critical_point() const {
-    const auto softest = [&](double temperature, double& log_x) {
-      const auto at = [&](double l) { return detail::state_of(phases_, true, l, temperature).stiffness; };
-      double best = at(log_x = 0.3);
-      for (double l = 0.32; l < 3.4; l += 0.02)
-        if (const double k = at(l); k < best) best = k, log_x = l;
-      const double a = at(log_x - 0.02), c = at(log_x + 0.02);
-      log_x += 0.01 * (a - c) / (a - 2 * best + c);
-      return at(log_x);
-    };
-    double low = 500, high = 50000, log_x = 0;
-    require(softest(low, log_x) < 0 && softest(high, log_x) > 0, "reference b0", phases_.parameters().b0,
-            "such that liquid and vapour have a critical point between 500 and 50 000 K", "J/kg");
-    while (high - low > 1e-9 * high) (softest(0.5 * (low + high), log_x) < 0 ? low : high) = 0.5 * (low + high);
-    softest(high, log_x);
-    const auto s = detail::state_of(phases_, true, log_x, high);
-    return {high, 1 / s.volume, s.pressure};
   }
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Parameters of eos::reference. The defaults are aluminium: fitted to the data of tests/validate/reference_calibration_test.cpp (which
-// repeats the fit and lands on them), but for the four lines marked "not fitted".
+// repeats the fit and lands on them), but for the lines that say otherwise.
 #pragma once
 
 #include "bolide/core/contract.hpp"
@@ -11,28 +11,28 @@
 namespace bolide::eos {
 
 struct reference_parameters {
-  double atomic_mass = 26.9815385; // u, not fitted
-  double statistical_weight = 6;   // of the free atom's ground term (2P: 2 + 4), not fitted: fixes the absolute entropy of the gas
-  double G = 0.034;                // J/(kg K2), electronic heat coefficient at x = 1, band value, not fitted
-  double electron_saturation = 1;  // G(x) = G (1 + s) x^(2/3)/(1 + s x^(2/3)): grows no more in expansion; not fitted
-  double E_coh = 12.05e6;          // J/kg, energy of the free atoms at 0 K: the datum itself (3.37 eV)
+  double atomic_mass = 26.9815385;  // u, not fitted
+  double statistical_weight = 6;    // of the free atom's ground term (2P: 2 + 4), not fitted: fixes the absolute entropy of the gas
+  double G = 0.034;                 // J/(kg K2), electronic heat coefficient at x = 1, band value, not fitted
+  double electron_saturation = 1;   // G(x) = G (1 + s) x^(2/3)/(1 + s x^(2/3)): grows no more in expansion; not fitted
+  double E_coh = 12.05e6;           // J/kg, energy of the free atoms at 0 K: the datum itself (3.37 eV)
 
-  double rho0 = 2731.891;          // kg/m3, solid at 0 K and p = 0 (without zero-point motion)
-  double K0 = 78.58054e9;          // Pa, its bulk modulus
-  double eta = 4.171829;           // Rose's length of the solid's cold curve
-  double delta = 0.06412666;       // its cubic term
-  double theta = 332.5018;         // K, Einstein temperature of the solid at x = 1
-  double b = 1.830259;             // height of gamma over 2/3, solid
-  double b_liquid = 1.671767;      // the same of the liquid
-  double x_gamma = 1.391859;       // V/V0 where gamma is highest
-  double n = 2.529535;             // how fast it falls to either side
-  double dS = 359.6298;            // J/(kg K), entropy of disorder of the liquid under strong compression
-  double c = 0.006689264;          // lift of the liquid's cold curve in units of R T_b
-  double x_join = 0.75;            // V/V0 from where on the liquid's cold curve is its own series (chosen)
-  double b0 = -19.59737e6;         // J/kg, first four coefficients of that series (b0: mean-field attraction of the gas)
-  double b1 = -1084.251e6;
-  double b2 = 5922.259e6;
-  double b3 = -13372.026e6;
+  double rho0 = 2731.8889;          // kg/m3, solid at 0 K and p = 0 (without zero-point motion)
+  double K0 = 78.579405e9;          // Pa, its bulk modulus
+  double eta = 4.1809277;           // Rose's length of the solid's cold curve
+  double delta = 0.063300136;       // its cubic term
+  double theta = 332.59425;         // K, Einstein temperature of the solid at x = 1
+  double b = 1.8321435;             // height of gamma over 2/3, solid
+  double b_liquid = 1.6735206;      // the same of the liquid
+  double x_gamma = 1.3937294;       // V/V0 where gamma is highest
+  double n = 2.5270989;             // how fast it falls to either side
+  double dS = 359.60427;            // J/(kg K), entropy of disorder of the liquid under strong compression
+  double c = 0.0066847483;          // lift of the liquid's cold curve in units of R T_b
+  double x_join = 0.75;             // V/V0 from where on the liquid's cold curve is its own series (chosen)
+  double b0 = -19.673894e6;         // J/kg, first four coefficients of that series (b0: mean-field attraction of the gas)
+  double b1 = -1090.7716e6;
+  double b2 = 5964.055e6;
+  double b3 = -13479.721e6;
 
   /// J/(kg K)
   double R() const { return 8.31446261815324 / (atomic_mass * 1e-3); }
