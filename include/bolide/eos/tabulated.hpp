@@ -3,19 +3,25 @@
 //
 // Coordinates  u = ln(rho/rho0)  and, at a density, the place s of e between the energy borders b_0(rho) < b_1(rho) < ... of the model:
 // b_0 is the cold curve (a model without one: energy_low), the next ones are what energy_borders() gives (solidus,
-// liquidus, ...), the last lies energy_span above; in this uppermost patch the cells grow with e. Density borders are borders of cells too. Thus no cell straddles a kink or a jump that the model states, the two sides of a jump are kept apart, and a border is met
+// liquidus, ...), the last lies energy_span above; in this uppermost patch the cells grow with e, in a lowest one that begins at 0 K too.
+// Density borders, and the densities at which a patch vanishes, are borders of cells too. Thus no cell straddles a kink or a jump that the model states, the two sides of a jump are kept apart, and a border is met
 // where the interpolated b_k(rho) lies, within 1e-7 of its energy: in this sliver the other side of a jump may answer.
 // In a cell p and T are bicubic Hermite polynomials of node values and slopes (C1 inside a patch between borders), exact where p is linear in e.
 // dp/de and c^2 = dp/drho + p (dp/de)/rho^2 are the derivatives of this polynomial, so that they belong to its p exactly; c^2 is therefore
 // one order less accurate than p and continuous only (except at borders).
-// T_m is cubic in u, cold_energy is b_0, melt_fraction linear in e between borders (as where phases coexist at constant volume). If a
-// region is not bounded by stated borders (isentrope_temperature: it melts at T > T_m), the answer is that of T > T_m; for such a model
-// tabulate the model inside and wrap the table.
+// cold_energy is b_0. Phases, by what the model is found to do: one region per patch (grover: melt_fraction linear in e, T_m cubic in u); or
+// solid and liquid told by T > T_m(V) (isentrope_temperature; better: tabulate the model inside it and wrap the table); else the region
+// is that of the nearest node, melt_fraction and T_m are bilinear between the nodes of a patch (eos::reference).
+// Borders may fall together over a part of the densities (no solid there): such a patch has no width and is never answered from.
 // Outside: linear in u and s (finite, C1 but for c^2), told by outside_validity() and validity().
-// error() is twice the worst of 25 samples in every cell, in p, c^2 and T each; random points have not exceeded it
+// error() is twice the worst of 25 samples in every cell, in p, c^2, T and melt fraction each; random points have not exceeded it
 // (tests/unit/eos/tabulated_test.cpp). base() is the exact model, kept for set-up work.
-// Cost: two log, four to six cache lines per lane, some 250 flops whatever the model costs: for models that cost more than that (exact
-// lattice sums). Memory with the default: 6 MB in double, 3 MB in float.
+// Bounds with the default (p, c^2, T): grover with mixed 3e-5, 7e-5, 8e-4, with helm 1.5e-6, 1e-4, 4e-5; tillotson 8e-6, 1e-3; mie_grueneisen
+// 2e-6, 8e-5; where p is linear in e 1e-10. Where a quantum lattice freezes out (eos::reference, within some 10 kJ/kg of 0 K) T(e) and with it p under
+// tension bend within a cell, and error() is large (1e-2 in p); above 200 K it is 2e-5 in p, 3e-4 in c^2.
+// Cost: two log, four to six cache lines per lane, some 250 flops, 13 to 24 ns per lane whatever the model costs: for models that cost more
+// (an exact lattice sum: 800 ns). Memory with the default: 0.7 to 2.7 MB in double, half of it in float. Set-up: calls the exact model
+// some 150 times per cell.
 #pragma once
 
 #include "bolide/concepts/equation_of_state.hpp"
@@ -48,6 +54,7 @@ struct surface_error {
   double pressure = 0;            // |p - exact| / (|p| + 0.01 K0), K0 = rho0 c^2(rho0, e = 0), the bulk modulus
   double sound_speed_squared = 0; // |c^2 - exact| / (|c^2| + 0.01 K0/rho0)
   double temperature = 0;         // |T - exact| / (T + 100 K); 0 for a model without a temperature
+  double melt_fraction = 0;       // |nu - exact|
 };
 
 template <class Eos> class tabulated {
@@ -55,6 +62,7 @@ template <class Eos> class tabulated {
                                       "sound_speed_squared} and reference_density().");
   static constexpr bool thermal = ThermalEquationOfState<Eos>;
   static constexpr int most_borders = 4, most_segments = 4;
+  static constexpr double least_width = 0.01; // J/kg
 
 public:
   explicit tabulated(Eos eos, const tabulated_parameters& p = {}) : eos_(std::move(eos)), q_(p) {
@@ -113,16 +121,16 @@ public:
       wide_u = select(above, last ? zero : border_u[last ? k : k + 1] - border_u[k], wide_u);
       patch = select(above, V(T(k)), patch);
     }
+    wide = max(wide, V(T(least_width))); // a patch without width
     const V inverse_wide = one / wide, z = (e - low) * inverse_wide, equal = V(T(q_.energy_cells));
-    const auto top = patch > V(T(border_count_) - T(1.5));
-    const V grown = log(one + T(stretch_) * clip(z, zero, one)) * T(q_.energy_cells * inverse_log_stretch_);
-    const V cell_s = clip(floor(clip(select(top, grown, z * equal), zero, equal)), zero, equal - one);
+    const auto top = patch > V(T(border_count_) - T(1.5)), bottom = patch < V(T(0.5));
+    const V z_in = clip(z, zero, one), grown = log(one + T(stretch_) * z_in) * T(q_.energy_cells * inverse_log_stretch_);
+    const V grade = select(top, grown, select(bottom, sqrt(z_in), z_in) * equal), cell_s = clip(floor(grade), zero, equal - one);
     std::int32_t cell_index[width];
-    rows_of<1>(cell_s, cell_index);
+    rows_of<1>(cell_s + patch * (equal + one), cell_index);
     const T* heights = data(heights_double_, heights_float_, T{});
-    const V bottom = gather<V>(heights, cell_index), over = gather<V>(heights + 1, cell_index);
-    const V height = select(top, over - bottom, one / equal), inverse_height = select(top, one / (over - bottom), equal);
-    const V s_raw = select(top, z - bottom, z - cell_s / equal) * inverse_height, s = clip(s_raw, zero, one);
+    const V z_low = gather<V>(heights, cell_index), height = gather<V>(heights + 1, cell_index) - z_low, inverse_height = one / height;
+    const V s_raw = (z - z_low) * inverse_height, s = clip(s_raw, zero, one);
     const weights<V> in_s(s, height, inverse_height); // slopes in z
 
     std::int32_t lower[width], upper[width];
@@ -145,9 +153,25 @@ public:
     if constexpr (!thermal) return caloric_point<V>{p.value, c2, p_e};
     else {
       const sheet<V> temperature = read<4>(in_u, in_s, n00, n01, n10, n11, beyond_t, beyond_z);
-      const V t_m = melting(column, in_u, beyond_t);
-      thermal_point<V> r{p.value, c2, temperature.value, t_m, zero, border[0] + beyond_t * border_u[0], zero, p_e, temperature.z * inverse_wide};
-      if (regions_by_patch_) {
+      thermal_point<V> r{p.value, c2, temperature.value, zero, zero, border[0] + beyond_t * border_u[0], zero, p_e, temperature.z * inverse_wide};
+      if (phase_rule_ == rule::node) {
+        std::int32_t beside[width], nearest[width];
+        const V first_node = node + select(t > V(T(0.5)), V(T(nodes_per_column_)), zero) + select(s > V(T(0.5)), one, zero);
+        rows_of<4>(first_node, nearest);
+        rows_of<4>(node, lower);
+        rows_of<4>(node + T(nodes_per_column_), beside);
+        const T* from = data(phase_double_, phase_float_, T{});
+        r.region = gather<V>(from + 2, nearest);
+        const auto mean = [&](int k) {
+          const V low_mean = gather<V>(from + k, lower) * (one - s) + gather<V>(from + 4 + k, lower) * s;
+          return low_mean * (one - t) + (gather<V>(from + k, beside) * (one - s) + gather<V>(from + 4 + k, beside) * s) * t;
+        };
+        r.melting_temperature = mean(0);
+        r.melt_fraction = mean(1);
+        return r;
+      }
+      r.melting_temperature = melting(column, in_u, beyond_t);
+      if (phase_rule_ == rule::patch) {
         V begin = zero, end = zero;
         for (int g = 0; g < segment_count_; ++g)
           for (int k = 0; k < border_count_; ++k) {
@@ -159,7 +183,7 @@ public:
           }
         r.melt_fraction = clip(begin + z * (end - begin), zero, one);
       } else {
-        const auto molten = temperature.value > t_m;
+        const auto molten = temperature.value > r.melting_temperature;
         r.melt_fraction = select(molten, one, zero);
         r.region = select(molten, V(region_value<V>(region::liquid)), V(region_value<V>(region::solid)));
       }
@@ -204,6 +228,8 @@ private:
   struct phase {
     double region = 0, melt_begin = 0, melt_end = 0;
   };
+  /// How region, melt_fraction and T_m are found.
+  enum class rule { patch, temperature, node };
   /// The cubic Hermite polynomial on [0, 1] and its derivative; differences of values come first, so that a constant has slope 0 exactly.
   template <class V> struct weights {
     V rise, first, second, rise_slope, first_slope, second_slope;
@@ -283,17 +309,22 @@ private:
     for (int i = 0; i <= 200; ++i) {
       const std::array<double, most_borders> b = borders_at(density_low_ * std::pow(density_high_ / density_low_, i / 200.0));
       for (std::size_t k = 1; k < static_cast<std::size_t>(border_count_); ++k)
-        require(b[k] > b[k - 1], "eos::tabulated energy border of the model", b[k],
-                "above the one before it and the cold energy at every density (tabulate the model inside isentrope_temperature and wrap the table)", "J/kg");
+        require(b[k] >= b[k - 1], "eos::tabulated energy border of the model", b[k],
+                "no lower than the one before it and the cold energy at every density (tabulate the model inside isentrope_temperature and wrap the table)", "J/kg");
     }
     stretch_ = q_.energy_span / (c2 > 0 ? 0.05 * c2 : 0.02 * q_.energy_span);
     inverse_log_stretch_ = 1 / std::log1p(stretch_);
-    for (int j = 0; j <= q_.energy_cells; ++j) heights_double_.push_back(j < q_.energy_cells ? std::expm1(j / (q_.energy_cells * inverse_log_stretch_)) / stretch_ : 1);
-    heights_double_.push_back(2); // beside the last node
+    for (int patch = 0; patch < border_count_; ++patch)
+      for (int j = 0; j <= q_.energy_cells; ++j) {
+        const double part = double(j) / q_.energy_cells;
+        const bool last = patch + 1 == border_count_;
+        heights_double_.push_back(j == q_.energy_cells ? 1 : last ? std::expm1(part / inverse_log_stretch_) / stretch_ : patch == 0 ? part * part : part);
+      }
     heights_float_.assign(heights_double_.begin(), heights_double_.end());
 
     std::vector<double> ends{std::log(density_low_ / rho0)};
     std::vector<double> inner = density_borders_of(eos_);
+    for (int k = 1; k < border_count_; ++k) add_ends_of_patch(k, inner);
     std::sort(inner.begin(), inner.end());
     for (const double rho : inner)
       if (rho > density_low_ * 1.001 && rho < density_high_ * 0.999) ends.push_back(std::log(rho / rho0));
@@ -312,27 +343,60 @@ private:
     require(double(columns_) * nodes_per_column_ < 1 << 24, "eos::tabulated nodes", double(columns_) * nodes_per_column_, "below 2^24");
   }
 
+  /// The densities at which the patch below border k gets or loses its width.
+  void add_ends_of_patch(int k, std::vector<double>& densities) const {
+    const auto flat = [&](double rho) {
+      const std::array<double, most_borders> b = borders_at(rho);
+      return b[static_cast<std::size_t>(k)] - b[static_cast<std::size_t>(k - 1)] < least_width;
+    };
+    const double step = std::pow(density_high_ / density_low_, 1.0 / 400);
+    for (double low = density_low_; low * step <= density_high_; low *= step) {
+      double a = low, b = low * step;
+      if (flat(a) == flat(b)) continue;
+      const bool flat_below = flat(a);
+      while (b - a > 1e-14 * b) (flat(0.5 * (a + b)) == flat_below ? a : b) = 0.5 * (a + b);
+      densities.push_back(b);
+    }
+  }
+
   /// z at s in cell j of a patch.
   double place(int patch, int j, double s) const {
-    if (patch + 1 < border_count_) return (j + s) / q_.energy_cells;
-    const auto k = static_cast<std::size_t>(j);
+    const auto k = static_cast<std::size_t>(patch * (q_.energy_cells + 1) + j);
     return heights_double_[k] + (s > 0 ? s * (heights_double_[k + 1] - heights_double_[k]) : 0);
   }
   double height_of(int patch, const std::array<double, most_borders>& border) const {
     const auto k = static_cast<std::size_t>(patch);
     return patch + 1 < border_count_ ? border[k + 1] - border[k] : q_.energy_span;
   }
-  /// p, dp/dz, T, dT/dz at a node of a patch; kept off borders by 1e-11 of their energy, so that the patch's own side answers.
+  /// The energy of a node of a patch; kept off borders by 1e-11 of their energy, so that the patch's own side answers.
+  double energy_at(const std::array<double, most_borders>& border, int patch, int node) const {
+    const auto k = static_cast<std::size_t>(patch);
+    const double e = border[k] + height_of(patch, border) * place(patch, node, 0);
+    if (patch > 0 && node == 0) return e + 1e-11 * std::abs(e);
+    if (patch + 1 < border_count_ && node == q_.energy_cells) return border[k + 1] - 1e-11 * std::abs(border[k + 1]);
+    return e;
+  }
+  /// p, dp/dz, T, dT/dz at a node of a patch.
   struct sample { double p, p_z, T, T_z; };
   sample at(double rho, const std::array<double, most_borders>& border, int patch, int node) const {
-    const auto k = static_cast<std::size_t>(patch);
-    const double wide = height_of(patch, border);
-    double e = border[k] + wide * place(patch, node, 0);
-    if (patch > 0 && node == 0) e += 1e-11 * std::abs(e);
-    if (patch + 1 < border_count_ && node == q_.energy_cells) e = border[k + 1] - 1e-11 * std::abs(border[k + 1]);
+    const double wide = height_of(patch, border), e = energy_at(border, patch, node);
     const auto r = eos_.evaluate(rho, e);
     sample f{r.pressure, pressure_energy(eos_, rho, e) * wide, 0, 0};
-    if constexpr (thermal) f.T = r.temperature, f.T_z = r.temperature_energy * wide;
+    if constexpr (thermal) {
+      f.T = r.temperature, f.T_z = r.temperature_energy * wide;
+      if (node == 0) { // a quantum lattice has dT/de infinite at 0 K: there the slope that meets the middle of the first cell
+        const double e_next = energy_at(border, patch, 1), step = place(patch, 1, 0);
+        const auto next = eos_.evaluate(rho, e_next), middle = eos_.evaluate(rho, 0.5 * (e + e_next));
+        const auto meeting = [&](double f0, double f_half, double f1, double slope1) {
+          const double steepest = 3 * std::abs(f1 - f0) / step;
+          return std::clamp(slope1 + (8 * f_half - 4 * (f0 + f1)) / step, -steepest, steepest);
+        };
+        if (f.T_z > 3 * std::abs(next.temperature - f.T) / step) {
+          f.T_z = meeting(f.T, middle.temperature, next.temperature, next.temperature_energy * wide);
+          f.p_z = meeting(f.p, middle.pressure, next.pressure, pressure_energy(eos_, rho, e_next) * wide);
+        }
+      }
+    }
     return f;
   }
 
@@ -349,11 +413,15 @@ private:
     borders_double_.resize(static_cast<std::size_t>(columns_));
     melting_double_.resize(static_cast<std::size_t>(2 * columns_));
     energy_high_ = std::numeric_limits<double>::infinity();
-    regions_by_patch_ = thermal;
     for (int g = 0; g < segment_count_; ++g) {
       const segment& seg = segments_[static_cast<std::size_t>(g)];
       for (int i = 0; i <= seg.cells; ++i) fill_column(seg, i);
-      if constexpr (thermal) find_phases(g);
+    }
+    if constexpr (thermal) {
+      bool by_patch = true, by_temperature = true;
+      for (int g = 0; g < segment_count_; ++g) find_phases(g, by_patch, by_temperature);
+      phase_rule_ = by_patch ? rule::patch : by_temperature ? rule::temperature : rule::node;
+      if (phase_rule_ == rule::node) fill_phases();
     }
     nodes_float_.resize(nodes_double_.size());
     borders_float_.resize(borders_double_.size());
@@ -413,8 +481,8 @@ private:
       }
   }
 
-  /// Region and melt fraction of the patches of a segment, if they are one region each.
-  void find_phases(int g) {
+  /// Region and melt fraction of the patches of a segment; whether each is one region, linear in e, and whether T > T_m tells all.
+  void find_phases(int g, bool& by_patch, bool& by_temperature) {
     const segment& seg = segments_[static_cast<std::size_t>(g)];
     for (int patch = 0; patch < border_count_; ++patch) {
       phase& f = phases_[static_cast<std::size_t>(g * most_borders + patch)];
@@ -423,14 +491,41 @@ private:
         const std::array<double, most_borders> border = borders_at(rho);
         const auto k = static_cast<std::size_t>(patch);
         const double wide = height_of(patch, border);
+        if (wide < least_width) {
+          by_patch = false;
+          continue;
+        }
+        const double t_m = eos_.evaluate(rho, 0.0).melting_temperature;
         for (const double z : {1e-6, 0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 1 - 1e-6}) {
           const auto r = eos_.evaluate(rho, border[k] + z * wide);
           if (i == 0 && z == 1e-6) f.region = r.region, f.melt_begin = r.melt_fraction < 1e-5 ? 0 : r.melt_fraction;
           if (i == 0) f.melt_end = r.melt_fraction > 1 - 1e-5 ? 1 : r.melt_fraction;
-          if (r.region != f.region) regions_by_patch_ = false;
+          const bool molten = r.temperature > t_m, same_melting = std::abs(r.melting_temperature - t_m) <= 1e-9 * t_m;
+          if (r.region != f.region || !same_melting) by_patch = false;
+          if (std::abs(r.melt_fraction - f.melt_begin - z * (f.melt_end - f.melt_begin)) > 2e-5 && i > 0) by_patch = false;
+          if (r.region != region_value<double>(molten ? region::liquid : region::solid) || r.melt_fraction != molten || !same_melting) by_temperature = false;
         }
       }
     }
+  }
+
+  /// T_m, melt fraction and region of every node.
+  void fill_phases() {
+    phase_double_.resize(4 * nodes_double_.size());
+    for (int g = 0; g < segment_count_; ++g) {
+      const segment& seg = segments_[static_cast<std::size_t>(g)];
+      for (int i = 0; i <= seg.cells; ++i) {
+        const double rho = density_at(seg.u + seg.step * (i + (i == 0 ? 1e-10 : i == seg.cells ? -1e-10 : 0)));
+        const std::array<double, most_borders> border = borders_at(rho);
+        for (int patch = 0; patch < border_count_; ++patch)
+          for (int j = 0; j <= q_.energy_cells; ++j) {
+            const auto r = eos_.evaluate(rho, energy_at(border, patch, j));
+            double* to = &phase_double_[4 * static_cast<std::size_t>((seg.column + i) * nodes_per_column_ + patch * (q_.energy_cells + 1) + j)];
+            to[0] = r.melting_temperature, to[1] = r.melt_fraction, to[2] = r.region;
+          }
+      }
+    }
+    phase_float_.assign(phase_double_.begin(), phase_double_.end());
   }
 
   void measure() {
@@ -445,12 +540,13 @@ private:
             for (int j = 0; j < q_.energy_cells; ++j)
               for (const double s : {0.03, 0.21, 0.5, 0.79, 0.97}) {
                 const double e = border[static_cast<std::size_t>(patch)] + height_of(patch, border) * place(patch, j, s);
-                if (outside_of(eos_, rho, e)) continue;
+                if (height_of(patch, border) < least_width || outside_of(eos_, rho, e)) continue;
                 const auto a = evaluate(rho, e);
                 const auto b = eos_.evaluate(rho, e);
                 error_.pressure = std::max(error_.pressure, std::abs(a.pressure - b.pressure) / (std::abs(b.pressure) + floor_p));
                 error_.sound_speed_squared = std::max(error_.sound_speed_squared,
                     std::abs(a.sound_speed_squared - b.sound_speed_squared) / (std::abs(b.sound_speed_squared) + floor_c2));
+                if constexpr (thermal) error_.melt_fraction = std::max(error_.melt_fraction, std::abs(a.melt_fraction - b.melt_fraction));
                 if constexpr (thermal)
                   error_.temperature = std::max(error_.temperature, std::abs(a.temperature - b.temperature) / (std::abs(b.temperature) + 100));
               }
@@ -459,6 +555,7 @@ private:
     error_.pressure *= 2;
     error_.sound_speed_squared *= 2;
     error_.temperature *= 2;
+    error_.melt_fraction *= 2;
   }
 
   Eos eos_;
@@ -467,13 +564,13 @@ private:
   double energy_low_ = 0, energy_high_ = 0, stiffness_ = 0;         // J/kg, J/kg, m2/s2
   double stretch_ = 0, inverse_log_stretch_ = 0;
   int border_count_ = 0, segment_count_ = 0, columns_ = 0, nodes_per_column_ = 0;
-  bool regions_by_patch_ = false;
+  rule phase_rule_ = rule::patch;
   std::array<segment, most_segments> segments_{};
   std::array<phase, most_segments * most_borders> phases_{};
   std::vector<record<double>> nodes_double_, borders_double_;
   std::vector<record<float>> nodes_float_, borders_float_;
-  std::vector<double> melting_double_, heights_double_; // T_m and its slope, column by column; z of the nodes of the uppermost patch
-  std::vector<float> melting_float_, heights_float_;
+  std::vector<double> melting_double_, heights_double_, phase_double_; // T_m and its slope by column; z of the uppermost patch's nodes; T_m,
+  std::vector<float> melting_float_, heights_float_, phase_float_;     // melt fraction, region and a space by node
   surface_error error_;
 };
 
