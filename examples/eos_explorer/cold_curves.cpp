@@ -58,12 +58,21 @@ any_cold make_exact(const std::string& name, assignments& set) {
   if (name == "bm3") return make_from_moduli<cold::birch_murnaghan, cold::birch_murnaghan_parameters>(set);
   if (name.rfind("setfl:", 0) == 0) return make_setfl(name.substr(6));
   if (name.rfind("table:", 0) == 0) return make_user_table(name.substr(6), set);
-  std::string list;
-  for (const auto& entry : all_cold_curves()) list += (list.empty() ? "" : ", ") + entry.name;
-  throw bolide::bad_parameter("'" + name + "': no such cold curve; there are " + list);
+  check_cold_name(name);
+  throw bolide::bad_parameter("'" + name + "': no such cold curve");
 }
 
 } // namespace
+
+void check_cold_name(const std::string& name) {
+  std::string list;
+  for (const auto& entry : all_cold_curves()) {
+    const std::string kind = entry.name.substr(0, entry.name.find("FILE")); // of setfl:FILE all that starts with setfl:
+    if (name == entry.name || (kind != entry.name && name.rfind(kind, 0) == 0)) return;
+    list += (list.empty() ? "" : ", ") + entry.name;
+  }
+  throw bolide::bad_parameter("'" + name + "': no such cold curve; there are " + list);
+}
 
 const std::vector<cold_entry>& all_cold_curves() {
   static const std::vector<cold_entry> all = {

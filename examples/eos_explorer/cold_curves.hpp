@@ -47,6 +47,9 @@ any_cold make_cold(const std::string& name, assignments& set, bool table);
 any_cold make_setfl(const std::string& where);
 any_cold make_user_table(const std::string& file, assignments& set);
 
+/// Throws bolide::bad_parameter with the known names unless this is one.
+void check_cold_name(const std::string& name);
+
 struct cold_entry {
   std::string name, source;
 };

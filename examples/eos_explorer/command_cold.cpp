@@ -38,7 +38,7 @@ answer cold(const request& r) {
   model_choice choice = r.model;
   const any_cold model = make_cold(choice.cold, choice.set, choice.table);
   choice.set.check(choice.cold);
-  const auto xs = numbers_of(r, "x", true);
+  const auto xs = numbers_of(r, "x", bolide::quantity::dimension::dimensionless, true);
   csv_output out({"x", "energy_J_kg", "pressure_Pa", "dp_dx_Pa"});
   for (const double x : xs) {
     const auto c = model.evaluate(x);

@@ -54,7 +54,7 @@ figure plot_of(const request& r, const start& s, const std::vector<shock_state>&
 
 answer hugoniot_curve(const request& r) {
   const start s = start_of(r, r.model);
-  const auto speeds = numbers_of(r, "up", true);
+  const auto speeds = numbers_of(r, "up", bolide::quantity::dimension::velocity, true);
   csv_output out({"up", "us", "rho", "pressure_Pa", "energy_J_kg", "temperature_K", "region"});
   std::vector<shock_state> states;
   std::vector<std::string> remarks;

@@ -32,7 +32,7 @@ struct options {
   }
   void model(CLI::App* on) const {
     text(on, "eos", "NAME", "equation of state (default mixed; `list` has the names)");
-    text(on, "cold", "NAME", "cold curve of paper, mixed, helm and reference (default cai-ye)");
+    text(on, "cold", "NAME", "cold curve of paper, mixed and helm (default cai-ye)");
     on->add_option("--set", t.set, "a parameter with its unit, rho0=2785kg/m3; may be repeated")
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);

@@ -40,12 +40,23 @@ curve melting_curve(const any_eos& eos, bool complete, double end) {
   return c;
 }
 
+/// Do two curves of rising pressure agree within half a percent? Then melting is at one temperature for each pressure.
+bool is_one_line(const curve& a, const curve& b) {
+  for (std::size_t i = 0, j = 1; i < a.x.size(); ++i) {
+    while (j + 1 < b.x.size() && b.x[j] < a.x[i]) ++j;
+    if (j >= b.x.size() || b.x[j] < a.x[i]) break;
+    const double between = b.y[j - 1] + (b.y[j] - b.y[j - 1]) * (a.x[i] - b.x[j - 1]) / (b.x[j] - b.x[j - 1]);
+    if (std::abs(between - a.y[i]) > 0.005 * a.y[i]) return false;
+  }
+  return true;
+}
+
 figure plot_of(const request& r, const start& s, const melt_thresholds& t) {
   const double end = 1.35 * t.hugoniot_end.pressure;
   panel p{"pressure (GPa)", "temperature (K)", {}};
   p.curves.push_back(melting_curve(*s.eos, false, end));
-  if (t.hugoniot_begin.pressure < t.hugoniot_end.pressure) p.curves.push_back(melting_curve(*s.eos, true, end));
-  else p.curves.back().label = "melting"; // a model without a mixed phase
+  if (const curve liquidus = melting_curve(*s.eos, true, end); is_one_line(p.curves.back(), liquidus)) p.curves.back().label = "melting";
+  else p.curves.push_back(liquidus);
   curve path{"shock, " + r.model.eos, line_style::solid, 0, {s.pressure / 1e9}, {s.eos->evaluate(s.density, s.energy).temperature}};
   for (const shock_state& a : shocks(s, 50, 1.3 * t.hugoniot_end.particle_speed, 160)) {
     if (a.pressure > end) break;

@@ -99,7 +99,7 @@ answer riemann(const request& r) {
   const auto left = flow(r, "left"), right = flow(r, "right");
   model_choice on_left = r.model, on_right = r.other.eos.empty() ? r.model : r.other;
   const eos_pointer a_eos = make_eos(on_left), b_eos = make_eos(on_right);
-  const auto xs = numbers_of(r, "x", false);
+  const auto xs = numbers_of(r, "x", dimension::length, false);
   answer a = answer_of({}, *a_eos);
   csv_output out({"x", "rho", "velocity_m_s", "pressure_Pa", "energy_J_kg", "temperature_K", "region"});
   std::vector<place_sample> profile;

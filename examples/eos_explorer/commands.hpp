@@ -5,6 +5,8 @@
 #include "figure.hpp"
 #include "registry.hpp"
 
+#include "bolide/core/quantity.hpp"
+
 #include <map>
 #include <optional>
 #include <string>
@@ -53,8 +55,9 @@ request read_command_line(int argc, const char* const* argv);
 /// The CSV of a request.
 std::string input_of(const request&);
 
-/// The numbers of the option --NAME, or of the column NAME of --in or standard input. Each is checked: more than 0 if `positive`.
-std::vector<double> numbers_of(const request&, const std::string& name, bool positive);
+/// The numbers (or quantities with units) of the option --NAME, or the numbers in the column NAME of --in or standard input. Each is
+/// checked: more than 0 if `positive`.
+std::vector<double> numbers_of(const request&, const std::string& name, bolide::quantity::dimension d, bool positive);
 
 /// An answer without remarks but the model's own.
 answer answer_of(std::string csv, const any_eos& eos);

@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "registry.hpp"
 
+#include "cold_curves.hpp"
+
 #include "bolide/core/contract.hpp"
 
 namespace explorer {
 
 const std::vector<eos_entry>& all_equations_of_state() {
   static const std::vector<eos_entry> all = {
-      {"paper", "phase parameters of the paper (section 3)", true, true, make_paper},
-      {"mixed", "phase parameters of the paper; with a mixed phase", true, true, make_mixed},
-      {"helm", "phase parameters of the paper; one free energy", true, true, make_helm},
-      {"mie-gruneisen", "2024-T4: LASL shock data (from memory)", false, true, make_mie_grueneisen},
-      {"tillotson", "aluminium as in public codes (Ecv also printed as 15 MJ/kg)", false, true, make_tillotson},
-      {"ideal-gas", "air", false, false, make_ideal_gas},
-      {"stiffened-gas", "water", false, false, make_stiffened_gas},
-      {"jwl", "a fit belongs to one explosive: rho0 A B R1 R2 omega", false, false, make_jwl},
+      {"paper", "phase parameters of the paper (section 3)", true, make_paper},
+      {"mixed", "phase parameters of the paper; with a mixed phase", true, make_mixed},
+      {"helm", "phase parameters of the paper; one free energy", true, make_helm},
+      {"reference", "one free energy of aluminium fitted to measurements (docs/eos.md)", true, make_reference},
+      {"mie-gruneisen", "2024-T4: LASL shock data (from memory)", true, make_mie_grueneisen},
+      {"tillotson", "aluminium as in public codes (Ecv also printed as 15 MJ/kg)", true, make_tillotson},
+      {"ideal-gas", "air", false, make_ideal_gas},
+      {"stiffened-gas", "water", false, make_stiffened_gas},
+      {"jwl", "a fit belongs to one explosive: rho0 A B R1 R2 omega", false, make_jwl},
   };
   return all;
 }
@@ -29,7 +32,9 @@ const eos_entry& find_eos(const std::string& name) {
 }
 
 eos_pointer make_eos(model_choice& choice) {
-  eos_pointer eos = find_eos(choice.eos).make(choice);
+  const eos_entry& entry = find_eos(choice.eos);
+  check_cold_name(choice.cold); // whether it is used or not
+  eos_pointer eos = entry.make(choice);
   choice.set.check(choice.eos);
   return eos;
 }

@@ -19,8 +19,7 @@ struct model_choice {
 
 struct eos_entry {
   std::string name, source;
-  bool takes_cold; // is built on a cold curve
-  bool aluminium;  // its defaults are aluminium's
+  bool aluminium; // its defaults are aluminium's
   eos_pointer (*make)(model_choice&);
 };
 const std::vector<eos_entry>& all_equations_of_state();
@@ -33,6 +32,7 @@ eos_pointer make_eos(model_choice& choice);
 eos_pointer make_paper(model_choice&);
 eos_pointer make_mixed(model_choice&);
 eos_pointer make_helm(model_choice&);
+eos_pointer make_reference(model_choice&);
 eos_pointer make_mie_grueneisen(model_choice&);
 eos_pointer make_tillotson(model_choice&);
 eos_pointer make_ideal_gas(model_choice&);

@@ -84,14 +84,14 @@ answer answer_of(std::string csv, const any_eos& eos) {
 
 std::string input_of(const request& r) { return r.input ? *r.input : read_all(r.in); }
 
-std::vector<double> numbers_of(const request& r, const std::string& name, bool positive) {
+std::vector<double> numbers_of(const request& r, const std::string& name, dimension d, bool positive) {
   const auto check = [&](double value, const std::string& where) {
     if (positive && !(value > 0)) throw bad_parameter(where + ": " + name + " = " + bolide::to_text(value) + " must be > 0");
     return value;
   };
   std::vector<double> values;
   if (r.has(name)) {
-    for (const double v : read_numbers(r.given.at(name), "--" + name)) values.push_back(check(v, "--" + name));
+    for (const auto& part : split_list(r.given.at(name))) values.push_back(check(read_quantity(part, d, "--" + name), "--" + name));
     return values;
   }
   const csv_input in = read_csv(input_of(r));

@@ -2,6 +2,7 @@
 #include "text.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -20,7 +21,7 @@ namespace {
 }
 bool is_bare_number(std::string_view text) {
   text = trimmed(text);
-  return !text.empty() && std::isalpha(static_cast<unsigned char>(text.back())) == 0;
+  return text.empty() || std::isalpha(static_cast<unsigned char>(text.back())) == 0;
 }
 } // namespace
 
@@ -37,7 +38,7 @@ double read_number(std::string_view text, const std::string& where) {
 }
 
 double read_quantity(std::string_view text, bolide::quantity::dimension d, const std::string& where) {
-  return is_bare_number(text) ? read_number(text, where) : bolide::quantity::parse(text, d, where);
+  return d == bolide::quantity::dimension::dimensionless || is_bare_number(text) ? read_number(text, where) : bolide::quantity::parse(text, d, where);
 }
 
 std::vector<std::string> split_list(std::string_view text) {

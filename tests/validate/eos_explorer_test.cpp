@@ -23,6 +23,7 @@
 #include "bolide/eos/phase/mixed.hpp"
 #include "bolide/eos/phase/paper.hpp"
 #include "bolide/eos/query.hpp"
+#include "bolide/eos/reference.hpp"
 #include "bolide/eos/state.hpp"
 #include "bolide/eos/stiffened_gas.hpp"
 #include "bolide/eos/tillotson.hpp"
@@ -172,6 +173,7 @@ TEST_F(EosExplorer, PointsAreTheLibrarysAnswersForEveryModel) {
   expect_points(good("points --eos paper", in), grover_of<phase::paper>(), states, true);
   expect_points(good("points --eos mixed", in), grover_of<phase::mixed>(), states, true);
   expect_points(good("points --eos helm", in), grover_of<phase::helm>(), states, true);
+  expect_points(good("points --eos reference", in), eos::reference{}, states, true);
   expect_points(good("points --eos mixed --cold rose", in), eos::grover{cold::rose{}, phase::mixed{}}, states, true);
   expect_points(good("points --eos mie-gruneisen", in), eos::mie_grueneisen{}, states, false);
   expect_points(good("points --eos tillotson", in), eos::tillotson{}, states, false);
@@ -286,7 +288,9 @@ TEST_F(EosExplorer, BadLinesAreRefusedByNumberAndNothingIsWritten) {
 
 TEST_F(EosExplorer, UnknownNamesAreRefusedWithTheKnownOnes) {
   const std::string in = "x,e\n1,1e6\n";
-  expect_refused("points --eos foo", in, {"'foo'", "paper", "mixed", "helm", "mie-gruneisen", "tillotson", "ideal-gas", "stiffened-gas", "jwl"});
+  expect_refused("points --eos foo", in,
+                 {"'foo'", "paper", "mixed", "helm", "reference", "mie-gruneisen", "tillotson", "ideal-gas", "stiffened-gas", "jwl"});
+  expect_refused("points --eos tillotson --cold foo", in, {"'foo'", "cai-ye"});
   expect_refused("points --eos mixed --cold foo", in, {"'foo'", "cai-ye", "cai-ye-sharp", "zhou04", "rose", "vinet", "bm3", "setfl:FILE"});
   expect_refused("points --eos mixed --cold setfl:none.setfl", in, {"none.setfl"});
   expect_refused("points --eos tillotson --set E1=1MJ/kg", in, {"E1", "tillotson", "E0"});
@@ -351,6 +355,7 @@ TEST_F(EosExplorer, FilesAreReadAndWritten) {
   std::ofstream(folder / "x.csv") << "x\n0.5\n1\n";
   EXPECT_EQ(good("cold --in x.csv").out, good("cold --x 0.5,1").out);
   EXPECT_EQ(good("hugoniot", "up\n1000\n").out, good("hugoniot --up 1000").out);
+  EXPECT_EQ(good("hugoniot --up 1km/s").out, good("hugoniot --up 1000").out);
 }
 
 // ---- cold curves ----------------------------------------------------------------------------------------------------------------------
@@ -456,6 +461,9 @@ TEST_F(EosExplorer, HugoniotIsTheLibrarys) {
   const auto scaled = eos::scaled_to(mixed, 2785);
   expect_shock(good("hugoniot --eos mixed --initial ambient --density 2785 --up 2000").rows()[0],
                analysis::hugoniot(scaled, eos::ambient_state(scaled), 2000), "solid");
+  const eos::reference best;
+  expect_shock(good("hugoniot --eos reference --initial ambient --up 5500").rows()[0],
+               analysis::hugoniot(best, eos::ambient_state(best), 5500), "liquid");
   const eos::tillotson t;
   expect_shock(good("hugoniot --eos tillotson --up 2000").rows()[0], analysis::hugoniot(t, 2700, 0, 0, 2000), "compressed");
   const eos::mie_grueneisen m; // us = c0 + s up by construction
@@ -577,8 +585,10 @@ TEST_F(EosExplorer, ListHasEveryName) {
     EXPECT_FALSE(r[8].empty()) << r[1];
     names += r[0] + ":" + r[1] + " ";
   }
-  for (const char* name : {"eos:paper ", "eos:mixed ", "eos:helm ", "eos:mie-gruneisen ", "eos:tillotson ", "eos:ideal-gas ",
-                           "eos:stiffened-gas ", "eos:jwl ", "cold:cai-ye ", "cold:cai-ye-sharp ", "cold:zhou04 ", "cold:rose ", "cold:vinet ", "cold:bm3 ", "cold:setfl:FILE "})
+  for (const char* name :
+       {"eos:paper ", "eos:mixed ", "eos:helm ", "eos:reference ", "eos:mie-gruneisen ", "eos:tillotson ", "eos:ideal-gas ",
+        "eos:stiffened-gas ", "eos:jwl ", "cold:cai-ye ", "cold:cai-ye-sharp ", "cold:zhou04 ", "cold:rose ", "cold:vinet ", "cold:bm3 ",
+        "cold:setfl:FILE "})
     EXPECT_NE(names.find(name), std::string::npos) << name;
 }
 
