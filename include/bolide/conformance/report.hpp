@@ -87,7 +87,7 @@ public:
     else if (failed) f.result = outcome::failed;
     else if (excused) f.result = outcome::stated;
     for (const stated_violation& s : stated_)
-      if (s.check == check_) append(f.note, (f.result == outcome::passed ? "not seen, though stated: " : "stated: ") + s.reason);
+      if (s.check == check_ && points_ > 0) append(f.note, (f.result == outcome::passed ? "not seen, though stated: " : "stated: ") + s.reason);
     return f;
   }
 

@@ -50,12 +50,13 @@ template <fault F> struct broken_mie_grueneisen {
     using T = scalar_t<V>;
     auto r = right.evaluate(rho, e);
     if constexpr (F == fault::sound_speed) r.sound_speed_squared = r.sound_speed_squared - r.pressure * r.pressure_energy / (rho * rho);
-    if constexpr (F == fault::sound_speed_by_little) r.sound_speed_squared = select(e > V(T(9e6)), T(1.0001) * r.sound_speed_squared, r.sound_speed_squared);
+    if constexpr (F == fault::sound_speed_by_little)
+      r.sound_speed_squared = select(e > V(T(9e6)), T(1.0001) * r.sound_speed_squared, r.sound_speed_squared);
     if constexpr (F == fault::pressure_energy) r.pressure_energy = select(rho > V(T(2785)), T(0.999) * r.pressure_energy, r.pressure_energy);
     if constexpr (F == fault::jump) r.pressure = r.pressure + select(rho > V(T(4000)) && e > V(T(7e6)), V(T(1e7)), V(T(0))); // 10 MPa of 100 GPa
     if constexpr (F == fault::nan) r.pressure = r.pressure + V(T(0)) * sqrt(rho - V(T(1)));                                  // below 1 kg/m3
     if constexpr (F == fault::lanes && lane_width<V> == 8) r.pressure = select(rho < V(T(2000)), T(1.01) * r.pressure, r.pressure);
-    if constexpr (F == fault::float_only && sizeof(T) == 4) r.sound_speed_squared = r.sound_speed_squared + T(1e-7) * e * e; // overflows nothing, is wrong
+    if constexpr (F == fault::float_only && sizeof(T) == 4) r.sound_speed_squared = r.sound_speed_squared + T(1e-7) * e * e;
     return r;
   }
   double reference_density() const { return right.reference_density(); }
@@ -63,10 +64,12 @@ template <fault F> struct broken_mie_grueneisen {
 };
 TEST(BrokenEos, ControlPasses) { expect_passed(check(broken_mie_grueneisen<fault::none>{})); }
 TEST(BrokenEos, SoundSpeedFromTheDensitySlopeAlone) {
-  expect_fails(check(broken_mie_grueneisen<fault::sound_speed>{}), {"sound_speed"});
+  expect_fails(check(broken_mie_grueneisen<fault::sound_speed>{}), {"sound_speed", "continuation"});
 }
-TEST(BrokenEos, SoundSpeedOffByOneInTenThousandInHotMaterial) { expect_fails(check(broken_mie_grueneisen<fault::sound_speed_by_little>{}), {"sound_speed"}); }
-TEST(BrokenEos, PressureEnergyOffByOneInAThousand) { expect_fails(check(broken_mie_grueneisen<fault::pressure_energy>{}), {"pressure_energy"}); }
+TEST(BrokenEos, SoundSpeedOffByOneInTenThousandInHotMaterial) {
+  expect_fails(check(broken_mie_grueneisen<fault::sound_speed_by_little>{}), {"sound_speed", "continuation"});
+}
+TEST(BrokenEos, PressureEnergyOffByOneInAThousand) { expect_fails(check(broken_mie_grueneisen<fault::pressure_energy>{}), {"pressure_energy", "continuation"}); }
 TEST(BrokenEos, AnUnstatedJumpOf10MPa) {
   const auto report = check(broken_mie_grueneisen<fault::jump>{});
   expect_fails(report, {"pressure_jump", "sound_speed"}); // c^2 = p_rho + p p_e/rho^2 feels the wrong p
@@ -77,9 +80,12 @@ TEST(BrokenEos, NaNAtSmallDensity) {
   EXPECT_EQ(report.at("finite").result, conformance::outcome::failed);
   EXPECT_EQ(report.at("lane pack<float, 8>").result, conformance::outcome::failed);
 }
-TEST(BrokenEos, ALaneBranchThatDiffers) { expect_fails(check(broken_mie_grueneisen<fault::lanes>{}), {"lane pack<double, 8>", "lane pack<float, 8>"}); }
+TEST(BrokenEos, ALaneBranchThatDiffers) {
+  expect_fails(check(broken_mie_grueneisen<fault::lanes>{}), {"lane pack<double, 8>", "lane pack<float, 8>", "lane continuation"});
+}
 TEST(BrokenEos, FloatsThatDiffer) {
-  expect_fails(check(broken_mie_grueneisen<fault::float_only>{}), {"lane float", "lane pack<float, 4>", "lane pack<float, 8>", "lane pack<float, 16>"});
+  expect_fails(check(broken_mie_grueneisen<fault::float_only>{}),
+               {"lane float", "lane pack<float, 4>", "lane pack<float, 8>", "lane pack<float, 16>", "lane continuation"});
 }
 
 // ---- helm with one thing broken ------------------------------------------------------------------------------------------------------------
@@ -105,7 +111,7 @@ TEST(BrokenEos, HelmControlPasses) { expect_passed(check(broken_helm<thermal_fau
 TEST(BrokenEos, WrongLatentTermInTheMixedPhase) {
   expect_fails(check(broken_helm<thermal_fault::latent>{}), {"sound_speed", "pressure_energy", "pressure_jump", "monotone_pressure"});
 }
-TEST(BrokenEos, WrongHeatCapacity) { expect_fails(check(broken_helm<thermal_fault::temperature_energy>{}), {"temperature_energy"}); }
+TEST(BrokenEos, WrongHeatCapacity) { expect_fails(check(broken_helm<thermal_fault::temperature_energy>{}), {"temperature_energy", "continuation"}); }
 TEST(BrokenEos, ATemperatureThatBelongsToNoFreeEnergy) { expect_fails(check(broken_helm<thermal_fault::temperature>{}), {"maxwell"}); }
 TEST(BrokenEos, AColdEnergyThatIsNotThatOfZeroKelvin) { expect_fails(check(broken_helm<thermal_fault::cold_energy>{}), {"cold_limit"}); }
 
@@ -148,7 +154,7 @@ TEST(UsersEos, InThreeLines) {
   const auto report = conformance::check(bounded_water{});
   out << report;
   EXPECT_EQ(report.passed() ? 0 : 1, 0) << out.str();
-  EXPECT_NE(out.str().find("passed: 21 checks, 0 failed"), std::string::npos) << out.str();
+  EXPECT_NE(out.str().find("passed: 23 checks, 0 failed"), std::string::npos) << out.str();
   EXPECT_EQ(report.at("maxwell").note, "the model gives no temperature");
 }
 TEST(UsersEos, WithoutABoxIsAskedForAThinGasToo) { expect_fails(check(water{}), {"thin_limit"}); }

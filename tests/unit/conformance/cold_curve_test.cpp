@@ -6,6 +6,7 @@
 #include "bolide/eos/cold/lattice_sum.hpp"
 #include "bolide/eos/cold/rose.hpp"
 #include "bolide/eos/cold/tabulated.hpp"
+#include "bolide/eos/cold/user_table.hpp"
 #include "bolide/eos/cold/vinet.hpp"
 #include "bolide/potential/zhou04.hpp"
 #include "unit/conformance/expect.hpp"
@@ -23,6 +24,17 @@ TEST(ColdCurves, Conform) {
   expect_passed(conformance::check(cold::lattice{potential::zhou04{}}, {.name = "zhou04"}));
   expect_passed(conformance::check(cold::tabulated{cold::cai_ye{}}, {.name = "tabulated cai_ye"}));
   expect_passed(conformance::check(cold::tabulated{cold::rose{}}, {.name = "tabulated rose"}));
+}
+
+// A user's two columns: pressures of Rose's curve at 41 volumes. Beyond them the curve goes on with e_c to a limit that is the table's own.
+TEST(ColdCurves, AUsersTableConforms) {
+  const cold::rose source;
+  std::vector<double> x, p;
+  for (int i = 0; i <= 40; ++i) {
+    x.push_back(0.4 + 0.04 * i);
+    p.push_back(source.evaluate(x.back()).pressure);
+  }
+  expect_passed(conformance::check(cold::user_table{x, p, {.reference_density = source.reference_density()}}, {.name = "user_table"}));
 }
 
 TEST(ColdCurves, TheSharpCutoffJumpsAndIsStated) {

@@ -5,6 +5,7 @@
 #include "bolide/eos/isentrope_temperature.hpp"
 #include "bolide/eos/jwl.hpp"
 #include "bolide/eos/mie_grueneisen.hpp"
+#include "bolide/eos/reference.hpp"
 #include "bolide/eos/stiffened_gas.hpp"
 #include "bolide/eos/tillotson.hpp"
 #include "unit/conformance/expect.hpp"
@@ -25,6 +26,12 @@ TEST(MieGrueneisen, InAllItsExpansions) {
   expect_passed(check(eos::mie_grueneisen({.constant_gamma = true}), {.name = "mie_grueneisen, constant gamma"}));
   expect_passed(check(eos::mie_grueneisen({.fading_expansion = true}), {.name = "mie_grueneisen, fading"}));
   expect_passed(check(eos::mie_grueneisen({.s2 = 1e-5}), {.name = "mie_grueneisen, quadratic"}));
+}
+
+TEST(Reference, IsThermodynamicallyExactAndContinuous) {
+  const auto report = check(eos::reference{}, {.name = "reference"});
+  expect_passed(report);
+  EXPECT_LT(report.at("maxwell").worst, 1e-8);
 }
 
 TEST(Gases, Conform) {

@@ -27,8 +27,10 @@ inline violations of_the_paper() {
 /// What Tillotson's formula violates.
 inline violations of_tillotson() {
   const std::string cancels = "branch II takes a pull of 10 GPa off again, which leaves few digits of a thin gas's pressure in float";
-  violations v = {{"thin_limit", 1e11, "cold expanded material pulls with 10 GPa, however thin"}};
-  for (const char* lane : {"lane float", "lane pack<float, 4>", "lane pack<float, 8>", "lane pack<float, 16>"}) v.push_back({lane, 0.01, cancels, 0, 1e-4});
+  violations v = {{"thin_limit", 1e11, "cold expanded material pulls, with 10 GPa however thin"}};
+  for (const char* lane : {"lane float", "lane pack<float, 4>", "lane pack<float, 8>", "lane pack<float, 16>"})
+    v.push_back({lane, 0.01, cancels, 0, 1e-4});
+  v.push_back({"lane continuation", 20, cancels, 0, 1e-4});
   return v;
 }
 

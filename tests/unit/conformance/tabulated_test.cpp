@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Tables of whole surfaces: c^2, dp/de and dT/de belong to the table's own p and T exactly; the Maxwell relation holds within the table's error;
+// outside the table and below the cold energy its linear continuation answers, whose c^2 is not the derivative of its p.
+#include "bolide/conformance/equation_of_state.hpp"
+#include "bolide/eos/grover.hpp"
+#include "bolide/eos/phase/helm.hpp"
+#include "bolide/eos/phase/mixed.hpp"
+#include "bolide/eos/tabulated.hpp"
+#include "bolide/eos/tillotson.hpp"
+#include "unit/conformance/expect.hpp"
+#include "unit/conformance/stated.hpp"
+
+namespace {
+using namespace bolide;
+using namespace bolide::test;
+using conformance::check;
+using conformance::outcome;
+
+violations of_a_table() {
+  return {{"continuation", 30, "linear outside the table and below the cold energy"},
+          {"lane continuation", 1e5, "below the cold energy by more than the width of the lowest patch, in float"},
+          {"maxwell", 1e-3, "p and T are interpolated one by one"}};
+}
+violations both(violations a, const violations& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+TEST(Tabulated, OfHelm) {
+  const auto report = check(eos::tabulated{eos::grover{table(), phase::helm{}}}, {.name = "tabulated helm", .stated = of_a_table()});
+  expect_passed(report);
+  EXPECT_EQ(report.at("sound_speed").result, outcome::passed);
+  EXPECT_EQ(report.at("pressure_jump").result, outcome::passed);
+}
+TEST(Tabulated, OfMixedKeepsItsJumpAndNoMore) {
+  const eos::tabulated eos{eos::grover{table(), phase::mixed{}}};
+  expect_passed(check(eos, {.name = "tabulated mixed", .stated = both(of_a_table(), of_the_paper())}));
+}
+TEST(Tabulated, OfTillotson) {
+  expect_passed(check(eos::tabulated{eos::tillotson{}}, {.name = "tabulated tillotson", .stated = of_a_table()}));
+}
+} // namespace
