@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A material chosen at run time: the equations of state are compiled in units of their own (material_*.cpp), the solver in others
-// (composition_*.cpp), and meet through any_material, so that five of the one and twelve of the other do not make sixty.
+// (composition_*.cpp), and meet through any_material, so that six of the one and twelve of the other do not make sixty.
 #pragma once
 
 #include "settings.hpp"
@@ -26,6 +26,7 @@ template <class T> struct chosen_material {
 template <class T> chosen_material<T> make_paper(const bolide::data::parameter_set&, const settings&);
 template <class T> chosen_material<T> make_mixed(const bolide::data::parameter_set&, const settings&);
 template <class T> chosen_material<T> make_helm(const bolide::data::parameter_set&, const settings&);
+template <class T> chosen_material<T> make_reference(const bolide::data::parameter_set&, const settings&);
 template <class T> chosen_material<T> make_mie_grueneisen(const bolide::data::parameter_set&, const settings&);
 template <class T> chosen_material<T> make_tillotson(const bolide::data::parameter_set&, const settings&);
 

@@ -33,7 +33,7 @@ request read_command_line(int argc, char** argv) {
   app.add_option("--config", config, "read settings from a JSON file (or an earlier summary.json); the command line goes before it")
       ->type_name("FILE")
       ->group("Output");
-  app.add_flag("--compare", compare, "all five equations of state and the experiment, side by side")->group("Output");
+  app.add_flag("--compare", compare, "all six equations of state and the experiment, side by side")->group("Output");
   app.add_flag("--quick", quick, "coarse: spacing 0.1mm, cell 0.2mm, one frame (what is given goes before)")->group("Output");
   app.add_flag("--list-materials", list, "print the materials and what they have parameters for");
 

@@ -4,7 +4,7 @@
 //
 //   bash examples/run.sh                                    the paper's case, 58,010 particles
 //   bash examples/run.sh aluminium_impact --quick           the same, coarse, in seconds
-//   bash examples/run.sh aluminium_impact --compare         all five equations of state
+//   bash examples/run.sh aluminium_impact --compare         all six equations of state
 // docs/start.md explains every option. The units: options and command_line read the settings, make_simulation turns names into types,
 // material_* and composition_* are what is compiled for each, run_case runs one, run_many several.
 #include "interrupt.hpp"

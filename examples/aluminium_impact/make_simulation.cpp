@@ -9,6 +9,7 @@ namespace impact {
 template <class T> chosen_material<T> make_material(const bolide::data::parameter_set& set, const settings& s) {
   if (s.eos == "paper") return make_paper<T>(set, s);
   if (s.eos == "helm") return make_helm<T>(set, s);
+  if (s.eos == "reference") return make_reference<T>(set, s);
   if (s.eos == "mie-gruneisen") return make_mie_grueneisen<T>(set, s);
   if (s.eos == "tillotson") return make_tillotson<T>(set, s);
   return make_mixed<T>(set, s);

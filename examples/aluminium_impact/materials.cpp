@@ -31,12 +31,12 @@ void print_materials(std::ostream& to) {
                   m.phases ? "yes" : "-", m.tillotson ? "yes" : "-", text(m.source).c_str());
     to << line;
   }
-  to << "phases: --eos paper, mixed and helm. Mie-Grueneisen: all. \"From memory\" means: re-check before quoting.\n";
+  to << "phases: --eos paper, mixed, helm and reference. Mie-Grueneisen: all. \"From memory\" means: re-check before quoting.\n";
 }
 
 void check_material(const std::string& name, const std::string& eos, const std::string& label) {
   const auto& m = data::find(name, label);
-  const bool grover = eos == "paper" || eos == "mixed" || eos == "helm";
+  const bool grover = eos == "paper" || eos == "mixed" || eos == "helm" || eos == "reference";
   if ((grover && m.phases) || (eos == "tillotson" && m.tillotson) || eos == "mie-gruneisen") return;
   std::string able;
   for (const auto& other : data::library)

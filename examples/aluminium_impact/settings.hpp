@@ -53,6 +53,6 @@ inline void make_quick(settings& s) {
   s.frames = 1;
 }
 
-inline constexpr const char* all_eos[] = {"paper", "mixed", "helm", "mie-gruneisen", "tillotson"};
+inline constexpr const char* all_eos[] = {"paper", "mixed", "helm", "reference", "mie-gruneisen", "tillotson"};
 
 } // namespace impact

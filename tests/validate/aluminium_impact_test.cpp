@@ -377,16 +377,16 @@ TEST_F(AluminiumImpact, CompareRunsAllEquationsOfState) {
   const auto a = run(coarse + "--compare");
   ASSERT_EQ(a.code, 0) << a.err;
   const json c = json::parse(read(folder / "out/compare.json"));
-  ASSERT_EQ(c["runs"].size(), 5u);
+  ASSERT_EQ(c["runs"].size(), 6u);
   EXPECT_FALSE(c.contains("experiment")); // 1 us is not the paper's case
-  for (const char* eos : {"paper", "mixed", "helm", "mie-gruneisen", "tillotson"}) {
+  for (const char* eos : {"paper", "mixed", "helm", "reference", "mie-gruneisen", "tillotson"}) {
     EXPECT_EQ(summary(std::string("out/") + eos)["eos"], eos);
     expect_names(a.out, {eos});
   }
   EXPECT_NE(summary("out/mixed")["median_debris_temperature_K"], summary("out/tillotson")["median_debris_temperature_K"]);
   EXPECT_EQ(read(folder / "out/compare.png").substr(1, 3), "PNG");
   const std::string table = read(folder / "out/compare.csv");
-  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 6);
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 7);
 }
 
 TEST_F(AluminiumImpact, ThePapersTableStandsBesideThePapersCase) {
