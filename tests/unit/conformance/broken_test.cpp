@@ -69,7 +69,9 @@ TEST(BrokenEos, SoundSpeedFromTheDensitySlopeAlone) {
 TEST(BrokenEos, SoundSpeedOffByOneInTenThousandInHotMaterial) {
   expect_fails(check(broken_mie_grueneisen<fault::sound_speed_by_little>{}), {"sound_speed", "continuation"});
 }
-TEST(BrokenEos, PressureEnergyOffByOneInAThousand) { expect_fails(check(broken_mie_grueneisen<fault::pressure_energy>{}), {"pressure_energy", "continuation"}); }
+TEST(BrokenEos, PressureEnergyOffByOneInAThousand) {
+  expect_fails(check(broken_mie_grueneisen<fault::pressure_energy>{}), {"pressure_energy", "continuation"});
+}
 TEST(BrokenEos, AnUnstatedJumpOf10MPa) {
   const auto report = check(broken_mie_grueneisen<fault::jump>{});
   expect_fails(report, {"pressure_jump", "sound_speed"}); // c^2 = p_rho + p p_e/rho^2 feels the wrong p

@@ -5,6 +5,7 @@
 #include "bolide/eos/grover.hpp"
 #include "bolide/eos/phase/helm.hpp"
 #include "bolide/eos/phase/mixed.hpp"
+#include "bolide/eos/reference.hpp"
 #include "bolide/eos/tabulated.hpp"
 #include "bolide/eos/tillotson.hpp"
 #include "unit/conformance/expect.hpp"
@@ -35,6 +36,14 @@ TEST(Tabulated, OfHelm) {
 TEST(Tabulated, OfMixedKeepsItsJumpAndNoMore) {
   const eos::tabulated eos{eos::grover{table(), phase::mixed{}}};
   expect_passed(check(eos, {.name = "tabulated mixed", .stated = both(of_a_table(), of_the_paper())}));
+}
+// The reference's T(e) is vertical at 0 K (oscillators freeze) and its solidus meets other borders: there a table is poorer.
+TEST(Tabulated, OfTheReference) {
+  violations stated = of_a_table();
+  stated.push_back({"maxwell", 0.02, "p and T are interpolated one by one"});
+  stated.push_back({"temperature_jump", 0.02, "cells that a border crosses"});
+  stated.push_back({"cold_limit", 1, "T(e) is vertical at 0 K"});
+  expect_passed(check(eos::tabulated{eos::reference{}}, {.name = "tabulated reference", .stated = stated}));
 }
 TEST(Tabulated, OfTillotson) {
   expect_passed(check(eos::tabulated{eos::tillotson{}}, {.name = "tabulated tillotson", .stated = of_a_table()}));
