@@ -41,7 +41,8 @@ public:
     const V f_rho = select(acts, select(gone, zero, V(T(slope_ * inverse_density_))), zero);
     const V p_e = pressure_energy(eos_, rho, e), inverse = one / (rho * rho);
     r.pressure = f * p;
-    r.sound_speed_squared = select(acts, f * (r.sound_speed_squared - p * p_e * inverse) + f_rho * p + f * f * p * p_e * inverse, r.sound_speed_squared);
+    const V c2 = f * (r.sound_speed_squared - p * p_e * inverse) + f_rho * p + f * f * p * p_e * inverse;
+    r.sound_speed_squared = select(acts, c2, r.sound_speed_squared);
     if constexpr (requires { r.pressure_energy; }) r.pressure_energy = f * r.pressure_energy;
     return r;
   }

@@ -87,7 +87,8 @@ struct mie_grueneisen {
                            select(beyond, T(p_guard_) + T(slope_guard_) * (rho - T(rho_guard_)), shock.pressure));
     const V slope = select(expanded, V(T(q_.c0 * q_.c0)), select(beyond, V(T(slope_guard_)), shock.sound_speed_squared));
     if (q_.fading_expansion) {
-      const V y = rho * T(inverse_rho0_), far = V(T(q_.gamma_far)), first = T(3 * q_.gamma0 - 2 * q_.gamma_far), second = T(q_.gamma_far - 2 * q_.gamma0);
+      const T far = T(q_.gamma_far), first = T(3 * q_.gamma0 - 2 * q_.gamma_far), second = T(q_.gamma_far - 2 * q_.gamma0);
+      const V y = rho * T(inverse_rho0_);
       const V p_cold = select(expanded, bulk * (y - T(1)) * y * y, p_ref);
       const V slope_cold = select(expanded, T(q_.c0 * q_.c0) * y * (T(3) * y - T(2)), slope);
       const V gamma_rho = select(expanded, rho * (far + y * (first + second * y)), V(grueneisen));

@@ -44,7 +44,8 @@ template <class Eos> material_state ambient_state(const Eos& eos, double T0 = 29
   double rho, e = 0;
   if constexpr (ThermalEquationOfState<Eos>) {
     rho = density_at_pressure_temperature(eos, 0.0, T0, rho0).value;
-    require(near(rho), "ambient temperature", T0, "one at which the equation of state has p = 0 between 0.6 and 1.6 times its reference density", "K");
+    require(near(rho), "ambient temperature", T0,
+            "one at which the equation of state has p = 0 between 0.6 and 1.6 times its reference density", "K");
     e = energy_at_temperature(eos, rho, T0).value;
   } else {
     rho = density_at_pressure_energy(eos, 0.0, 0.0, rho0).value;

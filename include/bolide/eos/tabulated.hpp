@@ -1,27 +1,30 @@
 // SPDX-License-Identifier: MIT
 // Modifier: any equation of state as a fast table for the time loop, its error measured when it is built.
 //
-// Coordinates  u = ln(rho/rho0)  and, at a density, the place s of e between the energy borders b_0(rho) < b_1(rho) < ... of the model:
-// b_0 is the cold curve (a model without one: energy_low), the next ones are what energy_borders() gives (solidus,
-// liquidus, ...), the last lies energy_span above; in this uppermost patch the cells grow with e, in a lowest one that begins at 0 K too.
-// Density borders, and the densities at which a patch vanishes, are borders of cells too. Thus no cell straddles a kink or a jump that the model states, the two sides of a jump are kept apart, and a border is met
-// where the interpolated b_k(rho) lies, within 1e-7 of its energy: in this sliver the other side of a jump may answer.
-// In a cell p and T are bicubic Hermite polynomials of node values and slopes (C1 inside a patch between borders), exact where p is linear in e.
-// dp/de and c^2 = dp/drho + p (dp/de)/rho^2 are the derivatives of this polynomial, so that they belong to its p exactly; c^2 is therefore
-// one order less accurate than p and continuous only (except at borders).
-// cold_energy is b_0. Phases, by what the model is found to do: one region per patch (grover: melt_fraction linear in e, T_m cubic in u); or
-// solid and liquid told by T > T_m(V) (isentrope_temperature; better: tabulate the model inside it and wrap the table); else the region
-// is that of the nearest node, melt_fraction and T_m are bilinear between the nodes of a patch (eos::reference).
-// Borders may fall together over a part of the densities (no solid there): such a patch has no width and is never answered from.
-// Outside: linear in u and s (finite, C1 but for c^2), told by outside_validity() and validity().
+// Coordinates  u = ln(rho/rho0)  and, at a density, the place z of e between the energy borders b_0(rho) <= b_1(rho) <= ... of the model:
+// b_0 is the cold curve (a model without one: energy_low), the next ones are what energy_borders() gives (solidus, liquidus, ...), the last
+// lies energy_span above; in this uppermost patch the cells grow with e, in the lowest one from its lower end too. Density borders, and the
+// densities at which a patch vanishes, are borders of cells. So no cell straddles a kink or a jump that the model states, the two sides of
+// a jump are kept apart, and a border is met where the interpolated b_k(rho) lies, within 1e-7 of its energy: in this sliver the other
+// side of a jump may answer.
+//
+// In a cell p and T are bicubic Hermite polynomials of node values and slopes (C1 inside a patch; exact in e where p is linear in e).
+// dp/de and c^2 = dp/drho + p (dp/de)/rho^2 are the derivatives of this polynomial: they belong to its p exactly, are one order less
+// accurate than p, and c^2 is continuous only. cold_energy is b_0.
+// Phases, by what the model is found to do: one region per patch (grover: melt_fraction linear in e, T_m cubic in u); or solid and liquid
+// told by T > T_m(V) (isentrope_temperature; better: tabulate the model inside it and wrap the table); else the region is that of the
+// nearest node, melt_fraction and T_m are bilinear between the nodes of a patch (eos::reference).
+// Outside: p and T bilinear in u and z, the borders and T_m those of the last column (finite, p continuous), told by outside_validity() and
+// validity().
+//
 // error() is twice the worst of 25 samples in every cell, in p, c^2, T and melt fraction each; random points have not exceeded it
-// (tests/unit/eos/tabulated_test.cpp). base() is the exact model, kept for set-up work.
-// Bounds with the default (p, c^2, T): grover with mixed 3e-5, 7e-5, 8e-4, with helm 1.5e-6, 1e-4, 4e-5; tillotson 8e-6, 1e-3; mie_grueneisen
-// 2e-6, 8e-5; where p is linear in e 1e-10. Where a quantum lattice freezes out (eos::reference, within some 10 kJ/kg of 0 K) T(e) and with it p under
-// tension bend within a cell, and error() is large (1e-2 in p); above 200 K it is 2e-5 in p, 3e-4 in c^2.
-// Cost: two log, four to six cache lines per lane, some 250 flops, 13 to 24 ns per lane whatever the model costs: for models that cost more
-// (an exact lattice sum: 800 ns). Memory with the default: 0.7 to 2.7 MB in double, half of it in float. Set-up: calls the exact model
-// some 150 times per cell.
+// (tests/unit/eos/tabulated_test.cpp). base() is the exact model, kept for set-up work. With the default (p, c^2, T):
+//   grover with mixed 3e-5, 7e-5, 8e-4     with helm 1.5e-6, 1e-4, 4e-5     tillotson 8e-6, 1e-3     mie_grueneisen 2e-6, 8e-5
+// Where a quantum lattice freezes out (eos::reference, within some 10 kJ/kg of 0 K) T(e), and under tension p, bend within a cell and error()
+// is large (1e-2 in p); above 200 K it is 2e-5 in p and 3e-4 in c^2.
+// Cost: two log, four to six cache lines per lane, some 250 flops, 13 to 24 ns per lane in pack<double, 8> whatever the model costs: for
+// models that cost more (an exact lattice sum: 800 ns). Memory with the default: 0.7 to 2.7 MB in double, half of it in float. Set-up: some 150
+// calls of the exact model per cell.
 #pragma once
 
 #include "bolide/concepts/equation_of_state.hpp"
@@ -91,7 +94,7 @@ public:
       first = select(beyond, V(T(g.column)), first);
     }
     const V steps = (u - start) * inverse_step, cell_u = clip(floor(clip(steps, zero, cells)), zero, cells - one);
-    const V t_raw = steps - cell_u, t = clip(t_raw, zero, one), column = first + cell_u;
+    const V t_raw = steps - cell_u, t = clip(t_raw, zero, one), beyond_t = t_raw - t, column = first + cell_u;
     const weights<V> in_u(t);
 
     // The borders at this density, and the patch that e lies in.
@@ -101,12 +104,13 @@ public:
       rows_of<8>(column, left);
       rows_of<8>(column + one, right);
       V a[8], b[8];
+      const auto inside = beyond_t == zero; // beyond the table the borders stay where they are
       const T* borders = data(borders_double_, borders_float_, T{});
       row_reader<8, 8>::template columns<V>(borders, left, a);
       row_reader<8, 8>::template columns<V>(borders, right, b);
       for (int k = 0; k < most_borders; ++k) {
         border[k] = in_u.value(a[2 * k], a[2 * k + 1], b[2 * k], b[2 * k + 1]);
-        border_u[k] = in_u.slope(a[2 * k], a[2 * k + 1], b[2 * k], b[2 * k + 1]);
+        border_u[k] = select(inside, in_u.slope(a[2 * k], a[2 * k + 1], b[2 * k], b[2 * k + 1]), zero);
       }
     }
     V low = border[0], low_u = border_u[0], patch = zero;
@@ -143,7 +147,7 @@ public:
     row_reader<8, 8>::template columns<V>(nodes + 8, lower, n01);
     row_reader<8, 8>::template columns<V>(nodes, upper, n10);
     row_reader<8, 8>::template columns<V>(nodes + 8, upper, n11);
-    const V beyond_t = t_raw - t, beyond_z = (s_raw - s) * height;
+    const V beyond_z = (s_raw - s) * height;
     const sheet<V> p = read<0>(in_u, in_s, n00, n01, n10, n11, beyond_t, beyond_z);
 
     // d/de and d/drho at constant e of what is a function of (t, z).
@@ -153,7 +157,7 @@ public:
     if constexpr (!thermal) return caloric_point<V>{p.value, c2, p_e};
     else {
       const sheet<V> temperature = read<4>(in_u, in_s, n00, n01, n10, n11, beyond_t, beyond_z);
-      thermal_point<V> r{p.value, c2, temperature.value, zero, zero, border[0] + beyond_t * border_u[0], zero, p_e, temperature.z * inverse_wide};
+      thermal_point<V> r{p.value, c2, temperature.value, zero, zero, border[0], zero, p_e, temperature.z * inverse_wide};
       if (phase_rule_ == rule::node) {
         std::int32_t beside[width], nearest[width];
         const V first_node = node + select(t > V(T(0.5)), V(T(nodes_per_column_)), zero) + select(s > V(T(0.5)), one, zero);
@@ -170,7 +174,7 @@ public:
         r.melt_fraction = mean(1);
         return r;
       }
-      r.melting_temperature = melting(column, in_u, beyond_t);
+      r.melting_temperature = melting(column, in_u);
       if (phase_rule_ == rule::patch) {
         V begin = zero, end = zero;
         for (int g = 0; g < segment_count_; ++g)
@@ -248,18 +252,20 @@ private:
   };
   template <class V> struct sheet { V value, t, z; };
 
-  /// The function that begins at number K of a node, with its derivatives in t and z.
+  /// The function that begins at number K of a node, with its derivatives in t and z; bilinear beyond the table.
   template <int K, class V>
-  static BOLIDE_INLINE sheet<V> read(const weights<V>& in_u, const weights<V>& in_s, const V* n00, const V* n01, const V* n10, const V* n11, V beyond_t,
-                                     V beyond_z) {
+  static BOLIDE_INLINE sheet<V> read(const weights<V>& in_u, const weights<V>& in_s, const V* n00, const V* n01, const V* n10, const V* n11,
+                                     V beyond_t, V beyond_z) {
     const V f0 = in_s.value(n00[K], n00[K + 2], n01[K], n01[K + 2]), f1 = in_s.value(n10[K], n10[K + 2], n11[K], n11[K + 2]);
     const V g0 = in_s.value(n00[K + 1], n00[K + 3], n01[K + 1], n01[K + 3]), g1 = in_s.value(n10[K + 1], n10[K + 3], n11[K + 1], n11[K + 3]);
     const V f0_z = in_s.slope(n00[K], n00[K + 2], n01[K], n01[K + 2]), f1_z = in_s.slope(n10[K], n10[K + 2], n11[K], n11[K + 2]);
     const V g0_z = in_s.slope(n00[K + 1], n00[K + 3], n01[K + 1], n01[K + 3]), g1_z = in_s.slope(n10[K + 1], n10[K + 3], n11[K + 1], n11[K + 3]);
     sheet<V> r;
-    r.t = in_u.slope(f0, g0, f1, g1);
-    r.z = in_u.value(f0_z, g0_z, f1_z, g1_z);
-    r.value = in_u.value(f0, g0, f1, g1) + beyond_t * r.t + beyond_z * r.z;
+    const V value = in_u.value(f0, g0, f1, g1), slope_t = in_u.slope(f0, g0, f1, g1), slope_z = in_u.value(f0_z, g0_z, f1_z, g1_z);
+    const V twist = in_u.slope(f0_z, g0_z, f1_z, g1_z);
+    r.t = slope_t + beyond_z * twist;
+    r.z = slope_z + beyond_t * twist;
+    r.value = value + beyond_t * slope_t + beyond_z * r.z;
     return r;
   }
   /// Where row `number` of the records begins, lane by lane.
@@ -272,13 +278,13 @@ private:
   static const double* data(const std::vector<double>& wide, const std::vector<float>&, double) { return wide.data(); }
   static const float* data(const std::vector<double>&, const std::vector<float>& slim, float) { return slim.data(); }
   /// T_m in the record beside the column's borders.
-  template <class V> BOLIDE_INLINE V melting(V column, const weights<V>& in_u, V beyond_t) const {
+  template <class V> BOLIDE_INLINE V melting(V column, const weights<V>& in_u) const {
     using T = scalar_t<V>;
     std::int32_t at[lane_width<V>];
     rows_of<2>(column, at);
     const T* from = data(melting_double_, melting_float_, T{});
     const V m0 = gather<V>(from, at), d0 = gather<V>(from + 1, at), m1 = gather<V>(from + 2, at), d1 = gather<V>(from + 3, at);
-    return in_u.value(m0, d0, m1, d1) + beyond_t * in_u.slope(m0, d0, m1, d1);
+    return in_u.value(m0, d0, m1, d1);
   }
 
   // ---- set-up ---------------------------------------------------------------------------------------------------------------
@@ -310,7 +316,8 @@ private:
       const std::array<double, most_borders> b = borders_at(density_low_ * std::pow(density_high_ / density_low_, i / 200.0));
       for (std::size_t k = 1; k < static_cast<std::size_t>(border_count_); ++k)
         require(b[k] >= b[k - 1], "eos::tabulated energy border of the model", b[k],
-                "no lower than the one before it and the cold energy at every density (tabulate the model inside isentrope_temperature and wrap the table)", "J/kg");
+                "no lower than the one before it and the cold energy at every density (tabulate the model inside isentrope_temperature and "
+                "wrap the table)", "J/kg");
     }
     stretch_ = q_.energy_span / (c2 > 0 ? 0.05 * c2 : 0.02 * q_.energy_span);
     inverse_log_stretch_ = 1 / std::log1p(stretch_);
@@ -318,7 +325,8 @@ private:
       for (int j = 0; j <= q_.energy_cells; ++j) {
         const double part = double(j) / q_.energy_cells;
         const bool last = patch + 1 == border_count_;
-        heights_double_.push_back(j == q_.energy_cells ? 1 : last ? std::expm1(part / inverse_log_stretch_) / stretch_ : patch == 0 ? part * part : part);
+        const double graded = last ? std::expm1(part / inverse_log_stretch_) / stretch_ : patch == 0 ? part * part : part;
+        heights_double_.push_back(j == q_.energy_cells ? 1 : graded);
       }
     heights_float_.assign(heights_double_.begin(), heights_double_.end());
 
@@ -467,7 +475,8 @@ private:
       for (int j = 0; j <= q_.energy_cells; ++j) {
         std::array<sample, 5> f{};
         for (std::size_t k = 0; k < 5; ++k) f[k] = at(rho[k], border[k], patch, j);
-        record<double>& r = nodes_double_[column * static_cast<std::size_t>(nodes_per_column_) + static_cast<std::size_t>(patch * (q_.energy_cells + 1) + j)];
+        const int number = (seg.column + i) * nodes_per_column_ + patch * (q_.energy_cells + 1) + j;
+        record<double>& r = nodes_double_[static_cast<std::size_t>(number)];
         r.c[0] = f[centre].p;
         r.c[1] = slope([&](std::size_t k) { return f[k].p; });
         r.c[2] = f[centre].p_z;
@@ -503,7 +512,8 @@ private:
           const bool molten = r.temperature > t_m, same_melting = std::abs(r.melting_temperature - t_m) <= 1e-9 * t_m;
           if (r.region != f.region || !same_melting) by_patch = false;
           if (std::abs(r.melt_fraction - f.melt_begin - z * (f.melt_end - f.melt_begin)) > 2e-5 && i > 0) by_patch = false;
-          if (r.region != region_value<double>(molten ? region::liquid : region::solid) || r.melt_fraction != molten || !same_melting) by_temperature = false;
+          const bool as_told = r.region == region_value<double>(molten ? region::liquid : region::solid) && r.melt_fraction == molten;
+          if (!as_told || !same_melting) by_temperature = false;
         }
       }
     }

@@ -61,9 +61,10 @@ struct tillotson {
       const part<V> iii = vapour(rho, e, eta, hot);
       const V weight = min(max((e - T(q_.E_iv)) * T(inverse_width_), zero), one);
       const V weight_e = select(e < V(T(q_.E_cv)), V(T(inverse_width_)), zero);
-      r.p = select(expanded, i.p + weight * (iii.p - i.p), i.p);
-      r.p_rho = select(expanded, i.p_rho + weight * (iii.p_rho - i.p_rho), i.p_rho);
-      r.p_e = select(expanded, i.p_e + weight * (iii.p_e - i.p_e) + weight_e * (iii.p - i.p), i.p_e);
+      const V rest = one - weight; // not i + weight (iii - i): the pull of I, 10 GPa, would leave its round-off in a thin gas
+      r.p = select(expanded, weight * iii.p + rest * i.p, i.p);
+      r.p_rho = select(expanded, weight * iii.p_rho + rest * i.p_rho, i.p_rho);
+      r.p_e = select(expanded, weight * iii.p_e + rest * i.p_e + weight_e * (iii.p - i.p), i.p_e);
     }
     return {r.p, r.p_rho + r.p * r.p_e / (rho * rho), r.p_e};
   }

@@ -40,7 +40,8 @@ template <class Eos> int there_and_back(const Eos& eos, double eta_low, double e
       expect_close(by_p.value, e, 1e-11, s.sound_speed_squared, "e(rho, p)" + at);
       const auto rho_e = eos::density_at_pressure_energy(eos, s.pressure, e, 1.03 * rho);
       EXPECT_EQ(rho_e.what, eos::status::ok) << at;
-      if (rho_e.what == eos::status::ok) expect_close(eos.evaluate(rho_e.value, e).pressure, s.pressure, 1e-10, rho * s.sound_speed_squared, "p(rho(p, e))" + at);
+      if (rho_e.what == eos::status::ok)
+        expect_close(eos.evaluate(rho_e.value, e).pressure, s.pressure, 1e-10, rho * s.sound_speed_squared, "p(rho(p, e))" + at);
       if constexpr (ThermalEquationOfState<Eos>) {
         const auto by_t = eos::energy_at_temperature(eos, rho, s.temperature);
         EXPECT_EQ(by_t.what, eos::status::ok) << at;

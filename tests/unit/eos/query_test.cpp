@@ -94,7 +94,10 @@ TEST(Query, ImpossibleQuestionsAreRefused) {
 }
 
 struct linear_liquid { // a user's own, with the least that the role asks for
-  template <class V> eos_point<V> evaluate(V rho, V e) const { return {V(2e9) * (rho / V(1000) - V(1)) + rho * e, V(2e6) + e + e + V(2e9) * (rho / V(1000) - V(1)) / rho}; }
+  template <class V> eos_point<V> evaluate(V rho, V e) const {
+    const V p = V(2e9) * (rho / V(1000) - V(1)) + rho * e;
+    return {p, V(2e6) + e + p / rho};
+  }
   double reference_density() const { return 1000; }
 };
 

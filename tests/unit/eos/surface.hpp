@@ -13,7 +13,8 @@ namespace bolide::test {
 template <class F> double five_point_slope(const F& f, double h) { return (8 * (f(h) - f(-h)) - (f(2 * h) - f(-2 * h))) / (12 * h); }
 
 /// At every (eta, e); the caller keeps off kinks by more than `relative_step` in rho.
-template <class Eos> void derivatives_are_right(const Eos& eos, const std::vector<double>& etas, const std::vector<double>& energies, double relative_step = 1e-4) {
+template <class Eos>
+void derivatives_are_right(const Eos& eos, const std::vector<double>& etas, const std::vector<double>& energies, double relative_step = 1e-4) {
   for (const double eta : etas)
     for (const double e : energies) {
       const double rho = eta * eos.reference_density(), dr = relative_step * rho, de = 1e-4 * std::abs(e) + 50;
@@ -27,7 +28,8 @@ template <class Eos> void derivatives_are_right(const Eos& eos, const std::vecto
     }
 }
 
-template <class V, class Eos> void one_lane_type_agrees(const Eos& eos, const std::vector<double>& etas, const std::vector<double>& energies, double scale) {
+template <class V, class Eos>
+void one_lane_type_agrees(const Eos& eos, const std::vector<double>& etas, const std::vector<double>& energies, double scale) {
   using T = scalar_t<V>;
   for (const double eta : etas)
     for (const double e0 : energies) {
