@@ -82,116 +82,31 @@ public:
 
   template <class V> BOLIDE_INLINE auto evaluate(V rho, V e) const {
     using T = scalar_t<V>;
-    constexpr int width = lane_width<V>;
-    const V u = log(rho * T(inverse_density_)), zero(T(0)), one(T(1));
-    V start(T(segments_[0].u)), inverse_step(T(segments_[0].inverse_step)), cells(T(segments_[0].cells)), first(T(segments_[0].column));
-    for (int k = 1; k < segment_count_; ++k) {
-      const segment& g = segments_[static_cast<std::size_t>(k)];
-      const auto beyond = u >= V(T(g.u));
-      start = select(beyond, V(T(g.u)), start);
-      inverse_step = select(beyond, V(T(g.inverse_step)), inverse_step);
-      cells = select(beyond, V(T(g.cells)), cells);
-      first = select(beyond, V(T(g.column)), first);
-    }
-    const V steps = (u - start) * inverse_step, cell_u = clip(floor(clip(steps, zero, cells)), zero, cells - one);
-    const V t_raw = steps - cell_u, t = clip(t_raw, zero, one), beyond_t = t_raw - t, column = first + cell_u;
-    const weights<V> in_u(t);
+    const column_place<V> c = find_column(log(rho * T(inverse_density_)));
+    const weights<V> in_u(c.t);
+    const patch_place<V> at = find_patch(c, in_u, e);
+    const weights<V> in_z(at.s, at.height, V(T(1)) / at.height);
 
-    // The borders at this density, and the patch that e lies in.
-    V border[most_borders] = {V(T(energy_low_)), zero, zero, zero}, border_u[most_borders] = {zero, zero, zero, zero};
-    if (thermal || border_count_ > 1) {
-      std::int32_t left[width], right[width];
-      rows_of<8>(column, left);
-      rows_of<8>(column + one, right);
-      V a[8], b[8];
-      const auto inside = beyond_t == zero; // beyond the table the borders stay where they are
-      const T* borders = data(borders_double_, borders_float_, T{});
-      row_reader<8, 8>::template columns<V>(borders, left, a);
-      row_reader<8, 8>::template columns<V>(borders, right, b);
-      for (int k = 0; k < most_borders; ++k) {
-        border[k] = in_u.value(a[2 * k], a[2 * k + 1], b[2 * k], b[2 * k + 1]);
-        border_u[k] = select(inside, in_u.slope(a[2 * k], a[2 * k + 1], b[2 * k], b[2 * k + 1]), zero);
-      }
-    }
-    V low = border[0], low_u = border_u[0], patch = zero;
-    V wide = V(T(q_.energy_span)), wide_u = zero;
-    if (border_count_ > 1) wide = border[1] - border[0], wide_u = border_u[1] - border_u[0];
-    for (int k = 1; k < border_count_; ++k) {
-      const auto above = e > border[k];
-      const bool last = k + 1 == border_count_;
-      low = select(above, border[k], low);
-      low_u = select(above, border_u[k], low_u);
-      wide = select(above, last ? V(T(q_.energy_span)) : border[last ? k : k + 1] - border[k], wide);
-      wide_u = select(above, last ? zero : border_u[last ? k : k + 1] - border_u[k], wide_u);
-      patch = select(above, V(T(k)), patch);
-    }
-    wide = max(wide, V(T(least_width))); // a patch without width
-    const V inverse_wide = one / wide, z = (e - low) * inverse_wide, equal = V(T(q_.energy_cells));
-    const auto top = patch > V(T(border_count_) - T(1.5)), bottom = patch < V(T(0.5));
-    const V z_in = clip(z, zero, one), grown = log(one + T(stretch_) * z_in) * T(q_.energy_cells * inverse_log_stretch_);
-    const V grade = select(top, grown, select(bottom, sqrt(z_in), z_in) * equal), cell_s = clip(floor(grade), zero, equal - one);
-    std::int32_t cell_index[width];
-    rows_of<1>(cell_s + patch * (equal + one), cell_index);
-    const T* heights = data(heights_double_, heights_float_, T{});
-    const V z_low = gather<V>(heights, cell_index), height = gather<V>(heights + 1, cell_index) - z_low, inverse_height = one / height;
-    const V s_raw = (z - z_low) * inverse_height, s = clip(s_raw, zero, one);
-    const weights<V> in_s(s, height, inverse_height); // slopes in z
-
-    std::int32_t lower[width], upper[width];
-    const V node = column * T(nodes_per_column_) + patch * T(q_.energy_cells + 1) + cell_s;
-    rows_of<8>(node, lower);
-    rows_of<8>(node + T(nodes_per_column_), upper);
+    std::int32_t lower[lane_width<V>], upper[lane_width<V>];
+    rows_of<8>(at.node, lower);
+    rows_of<8>(at.node + T(nodes_per_column_), upper);
     const T* nodes = data(nodes_double_, nodes_float_, T{});
     V n00[8], n01[8], n10[8], n11[8];
     row_reader<8, 8>::template columns<V>(nodes, lower, n00);
     row_reader<8, 8>::template columns<V>(nodes + 8, lower, n01);
     row_reader<8, 8>::template columns<V>(nodes, upper, n10);
     row_reader<8, 8>::template columns<V>(nodes + 8, upper, n11);
-    const V beyond_z = (s_raw - s) * height;
-    const sheet<V> p = read<0>(in_u, in_s, n00, n01, n10, n11, beyond_t, beyond_z);
 
     // d/de and d/drho at constant e of what is a function of (t, z).
-    const V inverse_rho = one / rho, z_t = -inverse_wide * (low_u + z * wide_u);
-    const V p_e = p.z * inverse_wide, p_rho = (p.t + p.z * z_t) * inverse_step * inverse_rho;
+    const sheet<V> p = read<0>(in_u, in_z, n00, n01, n10, n11, c.beyond, at.beyond);
+    const V inverse_rho = V(T(1)) / rho, z_t = -at.inverse_wide * (at.low_u + at.z * at.wide_u);
+    const V p_e = p.z * at.inverse_wide, p_rho = (p.t + p.z * z_t) * c.inverse_step * inverse_rho;
     const V c2 = p_rho + p.value * p_e * inverse_rho * inverse_rho;
     if constexpr (!thermal) return caloric_point<V>{p.value, c2, p_e};
     else {
-      const sheet<V> temperature = read<4>(in_u, in_s, n00, n01, n10, n11, beyond_t, beyond_z);
-      thermal_point<V> r{p.value, c2, temperature.value, zero, zero, border[0], zero, p_e, temperature.z * inverse_wide};
-      if (phase_rule_ == rule::node) {
-        std::int32_t beside[width], nearest[width];
-        const V first_node = node + select(t > V(T(0.5)), V(T(nodes_per_column_)), zero) + select(s > V(T(0.5)), one, zero);
-        rows_of<4>(first_node, nearest);
-        rows_of<4>(node, lower);
-        rows_of<4>(node + T(nodes_per_column_), beside);
-        const T* from = data(phase_double_, phase_float_, T{});
-        r.region = gather<V>(from + 2, nearest);
-        const auto mean = [&](int k) {
-          const V low_mean = gather<V>(from + k, lower) * (one - s) + gather<V>(from + 4 + k, lower) * s;
-          return low_mean * (one - t) + (gather<V>(from + k, beside) * (one - s) + gather<V>(from + 4 + k, beside) * s) * t;
-        };
-        r.melting_temperature = mean(0);
-        r.melt_fraction = mean(1);
-        return r;
-      }
-      r.melting_temperature = melting(column, in_u);
-      if (phase_rule_ == rule::patch) {
-        V begin = zero, end = zero;
-        for (int g = 0; g < segment_count_; ++g)
-          for (int k = 0; k < border_count_; ++k) {
-            const phase& f = phases_[static_cast<std::size_t>(g * most_borders + k)];
-            const auto here = first == V(T(segments_[static_cast<std::size_t>(g)].column)) && patch == V(T(k));
-            r.region = select(here, V(T(f.region)), r.region);
-            begin = select(here, V(T(f.melt_begin)), begin);
-            end = select(here, V(T(f.melt_end)), end);
-          }
-        r.melt_fraction = clip(begin + z * (end - begin), zero, one);
-      } else {
-        const auto molten = temperature.value > r.melting_temperature;
-        r.melt_fraction = select(molten, one, zero);
-        r.region = select(molten, V(region_value<V>(region::liquid)), V(region_value<V>(region::solid)));
-      }
-      return r;
+      const sheet<V> t = read<4>(in_u, in_z, n00, n01, n10, n11, c.beyond, at.beyond);
+      const phase_place<V> f = find_phase(c, in_u, at, t.value);
+      return thermal_point<V>{p.value, c2, t.value, f.melting, f.melt_fraction, at.lowest, f.region, p_e, t.z * at.inverse_wide};
     }
   }
 
@@ -252,14 +167,118 @@ private:
   };
   template <class V> struct sheet { V value, t, z; };
 
+  /// Where a density lies: between `column` and the next, t of the way, `beyond` that outside the table (in cells).
+  template <class V> struct column_place { V column, first, t, beyond, inverse_step; };
+  template <class V> BOLIDE_INLINE column_place<V> find_column(V u) const {
+    using T = scalar_t<V>;
+    const V zero(T(0)), one(T(1));
+    V start(T(segments_[0].u)), inverse_step(T(segments_[0].inverse_step)), cells(T(segments_[0].cells)), first(T(segments_[0].column));
+    for (int k = 1; k < segment_count_; ++k) {
+      const segment& g = segments_[static_cast<std::size_t>(k)];
+      const auto above = u >= V(T(g.u));
+      start = select(above, V(T(g.u)), start);
+      inverse_step = select(above, V(T(g.inverse_step)), inverse_step);
+      cells = select(above, V(T(g.cells)), cells);
+      first = select(above, V(T(g.column)), first);
+    }
+    const V steps = (u - start) * inverse_step, cell = clip(floor(clip(steps, zero, cells)), zero, cells - one);
+    const V t_raw = steps - cell, t = clip(t_raw, zero, one);
+    return {first + cell, first, t, t_raw - t, inverse_step};
+  }
+
+  /// Where e lies at a density: z of the way from one border to the next (`wide` apart), in the cell above `node`, s of its `height` in z.
+  template <class V> struct patch_place { V lowest, low_u, wide_u, inverse_wide, patch, z, node, s, height, beyond; };
+  template <class V> BOLIDE_INLINE patch_place<V> find_patch(const column_place<V>& c, const weights<V>& in_u, V e) const {
+    using T = scalar_t<V>;
+    const V zero(T(0)), one(T(1)), equal(T(q_.energy_cells)), span(T(q_.energy_span));
+    V border[most_borders] = {V(T(energy_low_)), zero, zero, zero}, border_u[most_borders] = {zero, zero, zero, zero};
+    if (thermal || border_count_ > 1) read_borders(c, in_u, border, border_u);
+    V low = border[0], low_u = border_u[0], patch = zero, wide = span, wide_u = zero;
+    if (border_count_ > 1) wide = border[1] - border[0], wide_u = border_u[1] - border_u[0];
+    for (int k = 1; k < border_count_; ++k) {
+      const auto above = e > border[k];
+      const bool last = k + 1 == border_count_;
+      low = select(above, border[k], low);
+      low_u = select(above, border_u[k], low_u);
+      wide = select(above, last ? span : border[last ? k : k + 1] - border[k], wide);
+      wide_u = select(above, last ? zero : border_u[last ? k : k + 1] - border_u[k], wide_u);
+      patch = select(above, V(T(k)), patch);
+    }
+    const V inverse_wide = one / max(wide, V(T(least_width))), z = (e - low) * inverse_wide, z_in = clip(z, zero, one);
+    const auto top = patch > V(T(border_count_) - T(1.5)), bottom = patch < V(T(0.5));
+    const V grown = log(one + T(stretch_) * z_in) * T(q_.energy_cells * inverse_log_stretch_);
+    const V grade = select(top, grown, select(bottom, sqrt(z_in), z_in) * equal), cell = clip(floor(grade), zero, equal - one);
+    const V level = patch * (equal + one) + cell;
+    std::int32_t index[lane_width<V>];
+    rows_of<1>(level, index);
+    const T* heights = data(heights_double_, heights_float_, T{});
+    const V z_low = gather<V>(heights, index), height = gather<V>(heights + 1, index) - z_low;
+    const V s_raw = (z - z_low) / height, s = clip(s_raw, zero, one);
+    return {border[0], low_u, wide_u, inverse_wide, patch, z, c.column * T(nodes_per_column_) + level, s, height, (s_raw - s) * height};
+  }
+  /// The borders and their slopes in t; beyond the table they stay where they are.
+  template <class V> BOLIDE_INLINE void read_borders(const column_place<V>& c, const weights<V>& in_u, V* border, V* border_u) const {
+    using T = scalar_t<V>;
+    std::int32_t left[lane_width<V>], right[lane_width<V>];
+    rows_of<8>(c.column, left);
+    rows_of<8>(c.column + T(1), right);
+    V a[8], b[8];
+    const T* borders = data(borders_double_, borders_float_, T{});
+    row_reader<8, 8>::template columns<V>(borders, left, a);
+    row_reader<8, 8>::template columns<V>(borders, right, b);
+    const auto inside = c.beyond == V(T(0));
+    for (int k = 0; k < most_borders; ++k) {
+      border[k] = in_u.value(a[2 * k], a[2 * k + 1], b[2 * k], b[2 * k + 1]);
+      border_u[k] = select(inside, in_u.slope(a[2 * k], a[2 * k + 1], b[2 * k], b[2 * k + 1]), V(T(0)));
+    }
+  }
+
+  /// T_m, melt fraction and region by the model's rule.
+  template <class V> struct phase_place { V melting, melt_fraction, region; };
+  template <class V>
+  BOLIDE_INLINE phase_place<V> find_phase(const column_place<V>& c, const weights<V>& in_u, const patch_place<V>& at, V temperature) const {
+    using T = scalar_t<V>;
+    if (phase_rule_ == rule::node) return phase_of_nodes(c, at);
+    const V zero(T(0)), one(T(1)), t_m = melting(c.column, in_u);
+    if (phase_rule_ == rule::temperature) {
+      const auto molten = temperature > t_m;
+      return {t_m, select(molten, one, zero), select(molten, V(region_value<V>(region::liquid)), V(region_value<V>(region::solid)))};
+    }
+    V where = zero, begin = zero, end = zero;
+    for (int g = 0; g < segment_count_; ++g)
+      for (int k = 0; k < border_count_; ++k) {
+        const phase& f = phases_[static_cast<std::size_t>(g * most_borders + k)];
+        const auto here = c.first == V(T(segments_[static_cast<std::size_t>(g)].column)) && at.patch == V(T(k));
+        where = select(here, V(T(f.region)), where);
+        begin = select(here, V(T(f.melt_begin)), begin);
+        end = select(here, V(T(f.melt_end)), end);
+      }
+    return {t_m, clip(begin + at.z * (end - begin), zero, one), where};
+  }
+  template <class V> BOLIDE_INLINE phase_place<V> phase_of_nodes(const column_place<V>& c, const patch_place<V>& at) const {
+    using T = scalar_t<V>;
+    const V zero(T(0)), one(T(1)), half(T(0.5)), next = V(T(nodes_per_column_));
+    std::int32_t left[lane_width<V>], right[lane_width<V>], nearest[lane_width<V>];
+    rows_of<4>(at.node, left);
+    rows_of<4>(at.node + next, right);
+    rows_of<4>(at.node + select(c.t > half, next, zero) + select(at.s > half, one, zero), nearest);
+    const T* from = data(phase_double_, phase_float_, T{});
+    const auto mean = [&](int k) {
+      const V a = gather<V>(from + k, left) * (one - at.s) + gather<V>(from + 4 + k, left) * at.s;
+      const V b = gather<V>(from + k, right) * (one - at.s) + gather<V>(from + 4 + k, right) * at.s;
+      return a * (one - c.t) + b * c.t;
+    };
+    return {mean(0), mean(1), gather<V>(from + 2, nearest)};
+  }
+
   /// The function that begins at number K of a node, with its derivatives in t and z; bilinear beyond the table.
   template <int K, class V>
-  static BOLIDE_INLINE sheet<V> read(const weights<V>& in_u, const weights<V>& in_s, const V* n00, const V* n01, const V* n10, const V* n11,
+  static BOLIDE_INLINE sheet<V> read(const weights<V>& in_u, const weights<V>& in_z, const V* n00, const V* n01, const V* n10, const V* n11,
                                      V beyond_t, V beyond_z) {
-    const V f0 = in_s.value(n00[K], n00[K + 2], n01[K], n01[K + 2]), f1 = in_s.value(n10[K], n10[K + 2], n11[K], n11[K + 2]);
-    const V g0 = in_s.value(n00[K + 1], n00[K + 3], n01[K + 1], n01[K + 3]), g1 = in_s.value(n10[K + 1], n10[K + 3], n11[K + 1], n11[K + 3]);
-    const V f0_z = in_s.slope(n00[K], n00[K + 2], n01[K], n01[K + 2]), f1_z = in_s.slope(n10[K], n10[K + 2], n11[K], n11[K + 2]);
-    const V g0_z = in_s.slope(n00[K + 1], n00[K + 3], n01[K + 1], n01[K + 3]), g1_z = in_s.slope(n10[K + 1], n10[K + 3], n11[K + 1], n11[K + 3]);
+    const V f0 = in_z.value(n00[K], n00[K + 2], n01[K], n01[K + 2]), f1 = in_z.value(n10[K], n10[K + 2], n11[K], n11[K + 2]);
+    const V g0 = in_z.value(n00[K + 1], n00[K + 3], n01[K + 1], n01[K + 3]), g1 = in_z.value(n10[K + 1], n10[K + 3], n11[K + 1], n11[K + 3]);
+    const V f0_z = in_z.slope(n00[K], n00[K + 2], n01[K], n01[K + 2]), f1_z = in_z.slope(n10[K], n10[K + 2], n11[K], n11[K + 2]);
+    const V g0_z = in_z.slope(n00[K + 1], n00[K + 3], n01[K + 1], n01[K + 3]), g1_z = in_z.slope(n10[K + 1], n10[K + 3], n11[K + 1], n11[K + 3]);
     sheet<V> r;
     const V value = in_u.value(f0, g0, f1, g1), slope_t = in_u.slope(f0, g0, f1, g1), slope_z = in_u.value(f0_z, g0_z, f1_z, g1_z);
     const V twist = in_u.slope(f0_z, g0_z, f1_z, g1_z);
@@ -306,8 +325,8 @@ private:
     density_low_ = std::max(box.density_low, q_.eta_low * rho0);
     density_high_ = std::min(box.density_high, q_.eta_high * rho0);
     require(density_low_ < rho0 && density_high_ > rho0, "eos::tabulated reference density", rho0, "inside the model's validity box", "kg/m3");
-    const double c2 = eos_.evaluate(rho0, 0.0).sound_speed_squared, in_span = eos_.evaluate(rho0, 0.05 * q_.energy_span).sound_speed_squared;
-    stiffness_ = c2 > 0 ? c2 : in_span;
+    const double c2 = eos_.evaluate(rho0, 0.0).sound_speed_squared, in_zpan = eos_.evaluate(rho0, 0.05 * q_.energy_span).sound_speed_squared;
+    stiffness_ = c2 > 0 ? c2 : in_zpan;
     require(stiffness_ > 0, "eos::tabulated sound speed squared at the reference density", stiffness_, "> 0", "m2/s2");
     energy_low_ = std::max(box.energy_low, q_.energy_low);
     border_count_ = 1 + static_cast<int>(energy_borders_of(eos_, rho0).size());

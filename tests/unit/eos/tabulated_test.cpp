@@ -254,7 +254,8 @@ TEST(TabulatedPhases, PatchesThatVanishAndMeltingAtEqualPressure) { // the refer
 
 TEST(Tabulated, ErrorFallsAsCellsShrink) {
   const eos::tillotson exact;
-  const eos::tabulated coarse{exact, {.eta_low = 0.5, .density_cells = 60, .energy_cells = 12}}, fine{exact, {.eta_low = 0.5, .density_cells = 120, .energy_cells = 24}};
+  const eos::tabulated coarse{exact, {.eta_low = 0.5, .density_cells = 60, .energy_cells = 12}};
+  const eos::tabulated fine{exact, {.eta_low = 0.5, .density_cells = 120, .energy_cells = 24}};
   EXPECT_LT(fine.error().pressure, coarse.error().pressure / 8); // fourth order: 16, less where the surface turns within a cell
   EXPECT_LT(fine.error().sound_speed_squared, coarse.error().sound_speed_squared / 3);
   EXPECT_GT(fine.bytes(), coarse.bytes());
