@@ -6,7 +6,6 @@
 #include "bolide/core/quantity.hpp"
 
 #include <cstddef>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
