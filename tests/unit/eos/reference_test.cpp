@@ -145,7 +145,7 @@ TEST(Reference, MeltingIsEquilibriumOfEqualPressureAndGibbsEnergy) {
   for (double t = 30; t < 2e4; t *= 1.37) {
     const double shift = 1e-8; // the edges are interpolated to that
     const auto c = model().melting_at(t);
-    const auto phase = [&](double volume, double shift) { return model().at_temperature(1 / (volume * (1 + shift)), t); };
+    const auto phase = [&](double volume, double by) { return model().at_temperature(1 / (volume * (1 + by)), t); };
     const auto s = phase(c.solid.volume, -shift), l = phase(c.liquid.volume, shift);
     ASSERT_EQ(s.where, region::solid) << t;
     ASSERT_GE(l.where, region::liquid) << t;

@@ -63,7 +63,8 @@ template <class V> BOLIDE_INLINE heat_content<V> oscillator(V ratio) {
   using T = scalar_t<V>;
   const V one(T(1)), u = min(ratio, V(T(80))), q = exp(-u), inverse = u / (one - q), u2 = u * u;
   const auto hot = u < V(T(0.25)); // 1 - q has lost digits: Bernoulli's series, next term 3e-17
-  const V energy = one - T(0.5) * u + u2 * (T(1.0 / 12) - u2 * (T(1.0 / 720) - u2 * (T(1.0 / 30240) - u2 * (T(1.0 / 1209600) - u2 * T(1.0 / 47900160)))));
+  const V energy =
+      one - T(0.5) * u + u2 * (T(1.0 / 12) - u2 * (T(1.0 / 720) - u2 * (T(1.0 / 30240) - u2 * (T(1.0 / 1209600) - u2 * T(1.0 / 47900160)))));
   const V heat = one - u2 * (T(1.0 / 12) - u2 * (T(1.0 / 240) - u2 * (T(1.0 / 6048) - u2 * (T(1.0 / 172800) - u2 * T(9.0 / 47900160)))));
   return {select(hot, energy, q * inverse), select(hot, heat, q * inverse * inverse)};
 }
