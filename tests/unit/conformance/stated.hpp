@@ -6,7 +6,6 @@
 #include "bolide/eos/cold/cai_ye.hpp"
 #include "bolide/eos/cold/tabulated.hpp"
 
-#include <string>
 #include <vector>
 
 namespace bolide::test {
@@ -25,13 +24,5 @@ inline violations of_the_paper() {
           {"temperature_jump", 1, "V_j", gas * (1 - 1e-9), gas * (1 + 1e-9)}};
 }
 /// What Tillotson's formula violates.
-inline violations of_tillotson() {
-  const std::string cancels = "branch II takes a pull of 10 GPa off again, which leaves few digits of a thin gas's pressure in float";
-  violations v = {{"thin_limit", 1e11, "cold expanded material pulls, with 10 GPa however thin"}};
-  for (const char* lane : {"lane float", "lane pack<float, 4>", "lane pack<float, 8>", "lane pack<float, 16>"})
-    v.push_back({lane, 0.01, cancels, 0, 1e-4});
-  v.push_back({"lane continuation", 20, cancels, 0, 1e-4});
-  return v;
-}
-
+inline violations of_tillotson() { return {{"thin_limit", 1e11, "cold expanded material pulls, with 10 GPa however thin"}}; }
 } // namespace bolide::test
