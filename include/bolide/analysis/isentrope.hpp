@@ -226,6 +226,7 @@ isentrope_curve isentrope_at(const Eos& eos, double rho, double e, const std::ve
     const double y = -std::log(wanted);
     while (walk.at().y != y && walk.advance(y)) {}
     curve.states.push_back(detail::isentrope_state_at(eos, walk.at(), speed));
+    if (walk.at().y == y) curve.states.back().density = wanted; // to the last digit: exp(log) is not
     curve.end = walk.end();
     if (curve.end == isentrope_end::reached) continue;
     curve.message = detail::isentrope_sentence(curve.end, curve.states.back().density);
