@@ -42,7 +42,8 @@ template <class F, class V> void evaluate(benchmark::State& state) {
   for (std::size_t i = 0; i < n; ++i) x[i] = std::exp(log_x(random)), z[i] = power(random);
   const std::vector<double> y = second_argument<F>(x, z);
   for (auto _ : state) {
-    for (std::size_t i = 0; i < n; i += static_cast<std::size_t>(lane_width<V>)) store(F::value(load<V>(x.data() + i), load<V>(y.data() + i)), r.data() + i);
+    for (std::size_t i = 0; i < n; i += static_cast<std::size_t>(lane_width<V>))
+      store(F::value(load<V>(x.data() + i), load<V>(y.data() + i)), r.data() + i);
     benchmark::DoNotOptimize(r.data());
     benchmark::ClobberMemory();
   }
