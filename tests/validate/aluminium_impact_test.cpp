@@ -101,7 +101,7 @@ TEST_F(AluminiumImpact, BadValuesAreRefusedWithASentenceAndNothingIsWritten) {
       {"--scheme usl", {"--scheme", "usl", "usf|musl"}},
       {"--transfer pic", {"--transfer", "pic", "apic|flip"}},
       {"--precision half", {"--precision", "half", "double|float"}},
-      {"--eos ideal", {"--eos", "ideal", "paper|mixed|helm|mie-gruneisen|tillotson"}},
+      {"--eos ideal", {"--eos", "ideal", "paper|mixed|helm|reference|mie-gruneisen|tillotson"}},
       {"--initial warm", {"--initial", "warm", "ambient|cold"}},
       {"--tension 1.5", {"--tension", "1.5", "no unit", "GPa"}},
       {"--tension -1GPa", {"--tension", "-1GPa", "more than 0", "none"}},

@@ -20,7 +20,7 @@ namespace {
 using namespace bolide;
 
 template <class P> potential::setfl written_and_read(const P& p, int n_rho, double d_rho, int n_r, double d_r) {
-  const std::string path = ::testing::TempDir() + "setfl_test.setfl";
+  const std::string path = ::testing::TempDir() + ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".setfl"; // tests run side by side
   potential::write_setfl(p, n_rho, d_rho, n_r, d_r, path);
   auto r = potential::setfl::read(path);
   std::remove(path.c_str());
