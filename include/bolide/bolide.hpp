@@ -52,7 +52,6 @@
 #include "bolide/eos/cold/birch_murnaghan.hpp"
 #include "bolide/eos/cold/cai_ye.hpp"
 #include "bolide/eos/cold/each_lane.hpp"
-#include "bolide/eos/cold/fcc_shells.hpp"
 #include "bolide/eos/cold/lattice_sum.hpp"
 #include "bolide/eos/cold/rose.hpp"
 #include "bolide/eos/cold/tabulated.hpp"

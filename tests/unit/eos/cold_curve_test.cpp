@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The Cai-Ye lattice sum against the reference tables of docs/eos.md, and its table against the lattice sum.
 #include "bolide/eos/cold/cai_ye.hpp"
+#include "bolide/potential/shells.hpp"
 #include "bolide/eos/cold/tabulated.hpp"
 #include "unit/eos/lanes.hpp"
 
@@ -11,7 +12,7 @@ using namespace bolide;
 using bolide::test::expect_close;
 
 TEST(FccShells, FirstOnes) {
-  const auto shells = cold::fcc_shells(3);
+  const auto shells = potential::shells(lattice::fcc, 3);
   const double atoms[] = {12, 6, 24, 12, 24, 8, 48, 6, 36, 24, 24, 24, 72, 48};
   const double squared[] = {0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4, 4.5, 5, 5.5, 6, 6.5, 7.5};
   for (std::size_t i = 0; i < 14; ++i) {
@@ -35,7 +36,7 @@ TEST(CaiYe, ScalePoint) {
   // With f_e = 0.3833721 the 78 neighbours inside the sharp cut-off give the published electron density.
   EXPECT_NEAR(0.3833721 * sharp.density_at_one(), 4.7726129, 1e-6);
   double neighbours = 0;
-  for (const auto& shell : cold::fcc_shells(1.65)) neighbours += shell.atoms;
+  for (const auto& shell : potential::shells(lattice::fcc, 1.65)) neighbours += shell.atoms;
   EXPECT_EQ(neighbours, 78);
 }
 
@@ -75,7 +76,7 @@ TEST(CaiYe, SharpCutoffJumpsWherePredicted) {
       {0.4018, 115}};
   for (const auto& jump : jumps) {
     double best = 1e9, at = 0; // the shell whose crossing is nearest to the printed x
-    for (const auto& shell : cold::fcc_shells(3)) {
+    for (const auto& shell : potential::shells(lattice::fcc, 3)) {
       const double x = std::pow(1.65 / shell.distance, 3);
       if (std::abs(x - jump[0]) < best) best = std::abs(x - jump[0]), at = x;
     }
@@ -96,7 +97,7 @@ TEST(CaiYe, DerivativesMatchFiniteDifferences) {
                - (get(exact.evaluate(x + 2 * h)) - get(exact.evaluate(x - 2 * h)))) / (12 * h);
       };
       bool crossed = false; // a shell inside the stencil
-      for (const auto& shell : cold::fcc_shells(3)) crossed = crossed || std::abs(std::pow(1.65 / shell.distance, 3) - x) < 3 * h;
+      for (const auto& shell : potential::shells(lattice::fcc, 3)) crossed = crossed || std::abs(std::pow(1.65 / shell.distance, 3) - x) < 3 * h;
       if (crossed) continue;
       const auto c = exact.evaluate(x);
       expect_close(-exact.reference_density() * d([](auto p) { return p.energy; }), c.pressure, 2e-9, 1e9,

@@ -9,7 +9,6 @@
 #pragma once
 
 #include "bolide/concepts/cold_curve.hpp"
-#include "bolide/eos/cold/fcc_shells.hpp"
 #include "bolide/eos/cold/lattice_sum.hpp"
 #include "bolide/potential/cai_ye.hpp"
 
