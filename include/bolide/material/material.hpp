@@ -10,9 +10,8 @@
 // second order in dt.
 //
 // Failed points. A failed point carries no shear and no tension. It fills its volume as long as its pressure there is positive. When it
-// expands further, its material stays at the volume
-// V_m of zero pressure (p(V_m, e) = 0, one Newton step per time step: dV = V p / (rho c^2)) and a void opens: V = V_m + void. It
-// carries pressure again when the void has closed. Density, temperature and phase are those of V_m, so that they mean something.
+// expands further, its material stays at the volume V_m of zero pressure (p(V_m, e) = 0, one Newton step per time step:
+// dV = V p / (rho c^2)) and a void opens: V = V_m + void. It carries pressure again when the void has closed. Density, temperature and phase are those of V_m, so that they mean something.
 // Once Newton's step is round-off the point is settled: only its void changes, and the equation of state is not asked again.
 #pragma once
 

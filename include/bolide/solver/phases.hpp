@@ -55,7 +55,7 @@ public:
     clear(sums_);
     if constexpr (!Scheme::stress_first) clear(forces_);
     sweep([this](auto& set, auto& range, update_report&) {
-      if (range.quiet > 2) return;
+      if (range.quiet == asleep) return;
       scatter(sums_, range, [&](auto& win) {
         chunks<wants::values>(set, range, [&](std::size_t begin, int n, const stencil_type& st) {
           scatter_momentum(set.columns, begin, n, st, win);
