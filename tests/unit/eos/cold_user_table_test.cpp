@@ -41,7 +41,7 @@ const auto GPa = [](const cold_point<double>& p) { return p.pressure / 1e9; };
 
 void expect_source(const user_table& t, double relative_p, double relative_e, const std::string& what) {
   expect_close(t.reference_density(), rho0, 1e-6, 0, what + " rho0");
-  EXPECT_NEAR(t.evaluate(1.0).energy, 0, 1e-9) << what;
+  EXPECT_NEAR(t.evaluate(1.0).energy, 0, 1e-6) << what; // J/kg: round-off of tables of some 1e7 J/kg
   for (double x = 0.41; x < 2.5; x *= 1.013) {
     const auto a = t.evaluate(x), b = source.evaluate(x);
     expect_close(a.pressure, b.pressure, relative_p, 1e9, what + " p at " + std::to_string(x));
