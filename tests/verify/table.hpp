@@ -31,8 +31,8 @@ struct row {
   double order = none;     // observed between the two finest resolutions
   double expected_order = none;
   double seconds = none;   // of the solver at the finest resolution
-  std::string unit;
-  std::string note;        // why a bound is missed, or what limits the order
+  std::string unit{};
+  std::string note{};      // why a bound is missed, or what limits the order
 
   bool met() const { return !(std::abs(value) > bound) && !(order < 0.75 * expected_order) && !std::isnan(value); }
 };
