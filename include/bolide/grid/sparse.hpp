@@ -50,8 +50,8 @@ template <int Dim> struct node_range {
 /// The blocks that exist, in lexicographic order (so that every sum over nodes has a fixed order), with their neighbour tables.
 template <int Dim> class block_map {
 public:
-  static constexpr int side = Dim == 3 ? 4 : 16;
-  static constexpr int margin = Dim == 3 ? 1 : 2; // cells that a particle may drift out of its block between two sorts
+  static constexpr int side = Dim == 3 ? 8 : 16;
+  static constexpr int margin = 2; // cells that a particle may at least drift out of its block between two sorts (more with narrow shapes)
   static constexpr int nodes_per_block = Dim == 1 ? side : Dim == 2 ? side * side : side * side * side;
   static constexpr int neighbours = Dim == 1 ? 3 : Dim == 2 ? 9 : 27;
   static constexpr int colours = 1 << Dim;

@@ -17,6 +17,14 @@ struct initial_state {
   double energy;
 };
 
+/// One particle before the first step, offered to solver.initialise: position (m), velocity (m/s), density (kg/m3; its mass follows,
+/// its volume stays) and specific energy (J/kg) may be changed.
+template <int Dim> struct initial_point {
+  const std::string& body;
+  vec<double, Dim> position, velocity;
+  double density, energy;
+};
+
 /// Random shift of the lattice points: uniform within +-fraction of the spacing on each axis, mass kept; the same seed, the same points.
 struct jitter {
   double fraction = 0;

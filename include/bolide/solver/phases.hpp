@@ -14,6 +14,7 @@
 #include "bolide/core/math.hpp"
 #include "bolide/grid/mirror.hpp"
 #include "bolide/grid/sparse.hpp"
+#include "bolide/solver/body_force.hpp"
 #include "bolide/solver/ledger.hpp"
 #include "bolide/solver/particle_set.hpp"
 #include "bolide/solver/stencil.hpp"
@@ -39,6 +40,8 @@ public:
   T courant;
   Transfer transfer;
   std::vector<grid::mirror_nodes<dim>> mirrors;
+  std::vector<detail::any_body_force<dim>> body_forces;
+  double time = 0; // s, of the beginning of the step
   ledger energy;
   step_limit limit;   // of the next step
   double ignore_below = 0; // 1/s: a particle that asks for less cannot limit the next step, whose growth is bounded
@@ -106,12 +109,15 @@ public:
 
   /// dv_I = f_I dt / m_I, boundary conditions; the nodal work of steps without a map back is known here.
   void accelerate_nodes() {
+    if (!body_forces.empty()) scatter_body_forces();
     for (const auto& m : mirrors) m.complete(forces_, 0);
     each_node([this](std::size_t i) {
-      if (!(sums_[i][0] > T(0))) return 0.0;
+      if (!(sums_[i][0] > T(0))) return;
       const T factor = dt / sums_[i][0];
-      for (int d = 0; d < dim; ++d) motion_[i].set(dim + d, forces_[i][d] * factor + (Transfer::affine ? motion_[i][d] : T(0)));
-      return Transfer::affine ? nodal_power(i) : 0.0;
+      for (int d = 0; d < dim; ++d) {
+        const T f = body_forces.empty() ? forces_[i][d] : forces_[i][d] + external_[i][d];
+        motion_[i].set(dim + d, f * factor + (Transfer::affine ? motion_[i][d] : T(0)));
+      }
     });
     if constexpr (Transfer::affine) nodal_work();
   }
@@ -143,9 +149,8 @@ public:
     if constexpr (maps_back) {
       for (const auto& m : mirrors) m.complete(back_, 0);
       each_node([this](std::size_t i) {
-        if (!(sums_[i][0] > T(0))) return 0.0;
+        if (!(sums_[i][0] > T(0))) return;
         for (int d = 0; d < dim; ++d) motion_[i].set(dim + d, back_[i][d] / sums_[i][0]); // FLIP: dv~ = sum N m dv_p / m_I; APIC: v'_I
-        return Transfer::affine ? 0.0 : nodal_power(i);
       });
     }
     if constexpr (!Transfer::affine) nodal_work();
@@ -230,7 +235,7 @@ private:
   static constexpr bool maps_back = !Transfer::affine || !Scheme::stress_first;
   static constexpr std::int64_t worth_threads = 16384; // particles (or half as many nodes) below which threads cost more than they give
   std::vector<sums> sums_;
-  std::vector<forces> forces_, back_;
+  std::vector<forces> forces_, back_, external_;
   std::vector<motion> motion_;
   struct touched_part {
     std::int32_t block;
@@ -395,21 +400,39 @@ private:
     }
   }
 
-  /// f.(v + dv/2) of a real node.
-  double nodal_power(std::size_t i) const {
-    if (is_image(i)) return 0;
-    double power = 0;
-    for (int d = 0; d < dim; ++d)
-      power += static_cast<double>(forces_[i][d]) * ((Transfer::affine ? 0.5 : 1) * static_cast<double>(motion_[i][d]) + 0.5 * static_cast<double>(motion_[i][dim + d]));
-    return power;
-  }
-  /// W = sum f.(v + dv/2) dt over the nodes of the last loop: leaves the nodes, so transfer loses and mismatch gains it.
-  void nodal_work() {
+  /// W = dt sum f.(v + dv/2) over the real nodes, f a column of nodal forces.
+  double work_of(const std::vector<forces>& f) {
+    each_node([this, &f](std::size_t i) {
+      if (!(sums_[i][0] > T(0)) || is_image(i)) return 0.0;
+      double power = 0;
+      for (int d = 0; d < dim; ++d)
+        power += static_cast<double>(f[i][d]) * ((Transfer::affine ? 0.5 : 1) * static_cast<double>(motion_[i][d]) + 0.5 * static_cast<double>(motion_[i][dim + d]));
+      return power;
+    });
     double work = 0;
     for (const double part : node_sums_) work += part;
-    work *= static_cast<double>(dt);
+    return work * static_cast<double>(dt);
+  }
+  /// The work of the stress leaves the nodes for the particles' energy: transfer loses and mismatch gains it. That of body forces comes from outside.
+  void nodal_work() {
+    const double work = work_of(forces_);
     energy.transfer -= work;
     energy.work_mismatch += work;
+    if (body_forces.empty()) return;
+    const double given = work_of(external_);
+    energy.transfer -= given;
+    energy.body_work += given;
+  }
+  /// sum N m b(x_p, t), and the momentum that it gives.
+  void scatter_body_forces() {
+    clear(external_);
+    sweep([this](auto& set, auto& range, update_report&) {
+      scatter(external_, range, [&](auto& win) {
+        chunks<wants::values>(set, range, [&](std::size_t begin, int n, const stencil_type& st) { scatter_body_force(set.columns, begin, n, st, win); });
+      });
+    });
+    for_each_set([this](const auto& s) { count_given_momentum(s.columns); });
+    for (const auto& m : mirrors) m.complete(external_, 0);
   }
   bool is_image(std::size_t node) const {
     for (const auto& m : mirrors)
@@ -545,6 +568,28 @@ private:
         sum[static_cast<std::size_t>(a)] += f;
       }
     });
+  }
+
+  /// m b(x_p, t)
+  template <class Columns> vec<double, dim> body_force_on(const Columns& p, std::size_t i) const {
+    vec<double, dim> x, total = vec<double, dim>::Zero();
+    for (int d = 0; d < dim; ++d) x[d] = static_cast<double>(p.template get<field::position>(d)[i]);
+    for (const auto& f : body_forces) total += f.acceleration(x, time);
+    return total * static_cast<double>(p.template get<field::mass>()[i]);
+  }
+  template <class Columns, class Window>
+  void scatter_body_force(const Columns& p, std::size_t begin, int n, const stencil_type& st, Window& win) const {
+    accumulate(win.node.data(), st, n, [&](int k, auto& sum) {
+      const auto b = body_force_on(p, begin + static_cast<std::size_t>(k));
+      const forces f = forces::make([&](int c) { return c < dim ? static_cast<T>(b[c < dim ? c : 0]) : T(0); });
+      for (int a = 0; a < stencil_type::nodes; ++a) sum[static_cast<std::size_t>(a)] += f * st.value[a][k];
+    });
+  }
+  template <class Columns> void count_given_momentum(const Columns& p) {
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const auto b = body_force_on(p, i);
+      for (int d = 0; d < dim; ++d) energy.momentum_given[static_cast<std::size_t>(d)] += static_cast<double>(dt) * b[d];
+    }
   }
 
   /// FLIP: v_p += sum N dv, carried along with sum N (v + dv); m dv_p goes back to the nodes.

@@ -18,6 +18,7 @@
 #include "bolide/scheme/musl.hpp"
 #include "bolide/scheme/usf.hpp"
 #include "bolide/solver/body.hpp"
+#include "bolide/solver/body_force.hpp"
 #include "bolide/solver/phases.hpp"
 #include "bolide/time/courant.hpp"
 #include "bolide/transfer/apic.hpp"
@@ -83,9 +84,39 @@ public:
     phases_.mirrors.push_back(plane);
     return *this;
   }
-  /// Lets material leave through a box. Before the first step.
+  /// Lets material leave through a box (free outflow). Before the first step.
   solver& add(const leaving_box<dim>& b) {
     box_ = b;
+    return *this;
+  }
+  /// Adds a force on every particle. Before the first step.
+  template <class F> solver& add(const body_force<F>& f) {
+    static_assert(requires { { f.acceleration(vec<double, dim>(), 0.0) } -> std::convertible_to<vec<double, dim>>; },
+                  "bolide: solver: a body force must be callable as acceleration(position, time) and give a vector of the space");
+    phases_.body_forces.emplace_back(f);
+    return *this;
+  }
+  /// f(point) for every particle before the first step: a start that varies from place to place (see initial_point).
+  template <class F> solver& initialise(F&& f) {
+    require(!started_, "steps done before initialise", static_cast<double>(steps_), "none: the run has started");
+    phases_.for_each_set([&](auto& s) {
+      auto& p = s.columns;
+      for (std::size_t i = 0; i < p.size(); ++i) {
+        const double volume = static_cast<double>(p.template get<field::volume>()[i]);
+        initial_point<dim> point{s.name, {}, {}, static_cast<double>(p.template get<field::mass>()[i]) / volume, static_cast<double>(p.template get<field::energy>()[i])};
+        for (int d = 0; d < dim; ++d) {
+          point.position[d] = static_cast<double>(p.template get<field::position>(d)[i]);
+          point.velocity[d] = static_cast<double>(p.template get<field::velocity>(d)[i]);
+        }
+        f(point);
+        p.template get<field::mass>()[i] = static_cast<T>(volume * point.density);
+        for (int d = 0; d < dim; ++d) {
+          p.template get<field::position>(d)[i] = static_cast<T>(point.position[d]);
+          p.template get<field::velocity>(d)[i] = p.template get<field::carrying_velocity>(d)[i] = static_cast<T>(point.velocity[d]);
+        }
+        s.material.initialise(p, i, 1, point.density, point.energy);
+      }
+    });
     return *this;
   }
 
@@ -96,6 +127,7 @@ public:
     if (box_ && phases_.beyond(box_->low, box_->high)) phases_.sorted = false; // sorting lets material leave
     if (!phases_.sorted) sort();
     choose_step(most);
+    phases_.time = time_;
     scheme_.step(phases_);
     time_ += static_cast<double>(phases_.dt);
     ++steps_;
@@ -182,7 +214,7 @@ private:
   template <class Material, class Body> static set_type<Material> seed(double h, const Body& b, std::uint32_t& id) {
     static_assert(std::remove_cvref_t<decltype(b.geometry)>::dim == dim, "bolide: solver: the geometry of a body has another number of axes than the space");
     set_type<Material> set{b.name, b.material, static_cast<T>(b.spacing / (2 * h)), 0, id, {}, {}, {}};
-    set.geometric_mass = b.geometry.volume() * b.state.density;
+    set.geometric_mass = b.geometry.volume(Space::hoop) * b.state.density;
     auto& p = set.columns;
     std::mt19937_64 random(b.jitter.seed);
     std::uniform_real_distribution<double> shift(-b.jitter.fraction * b.spacing, b.jitter.fraction * b.spacing);
@@ -202,7 +234,7 @@ private:
 
   void start() {
     started_ = true;
-    phases_.skip_quiet = controls_.skip_quiet;
+    phases_.skip_quiet = controls_.skip_quiet && phases_.body_forces.empty();
 #if defined(_OPENMP)
     threads_ = controls_.threads > 0 ? controls_.threads : omp_get_max_threads();
     omp_set_num_threads(threads_);

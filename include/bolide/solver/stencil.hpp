@@ -22,7 +22,7 @@ enum class wants { values, gradients, both };
 
 template <class T, class Space, class Shape> struct stencil {
   static constexpr int dim = Space::dim, support = Shape::support;
-  static constexpr int nodes = dim == 1 ? support : support * support;
+  static constexpr int nodes = dim == 1 ? support : dim == 2 ? support * support : support * support * support;
   static constexpr int stride = grid::window<dim, T>::stride;
 
   std::int32_t base[chunk_size];         // offset of the first node in the window
@@ -32,9 +32,16 @@ template <class T, class Space, class Shape> struct stencil {
   alignas(64) T from_first[dim][chunk_size];         // x - first node, cells
 
   /// Window offset of node n of a support relative to the first.
-  static constexpr int offset(int n) { return dim == 1 ? n : n / support * stride + n % support; }
+  static constexpr int offset(int n) {
+    int o = 0;
+    for (int axis = 0; axis < dim; ++axis) o = o * stride + along(n, axis);
+    return o;
+  }
   /// Index of node n along an axis.
-  static constexpr int along(int n, int axis) { return dim == 1 ? n : axis == 0 ? n / support : n % support; }
+  static constexpr int along(int n, int axis) {
+    for (int last = dim - 1; last > axis; --last) n /= support;
+    return n % support;
+  }
   /// (x_n - x_p) / h of particle k along an axis.
   BOLIDE_INLINE T distance(int k, int n, int axis) const { return T(along(n, axis)) - from_first[axis][k]; }
 
@@ -92,18 +99,16 @@ private:
     }
     store_whole(offset_sum, base + k);
     for (int node = 0; node < nodes; ++node) {
-      const int i = along(node, 0);
-      if constexpr (dim == 1) {
-        if constexpr (Wanted != wants::gradients) store(weight[0][i], value[node] + k);
-        if constexpr (Wanted != wants::values) store(slope[0][i], gradient[0][node] + k);
-      } else {
-        const int j = along(node, 1);
-        if constexpr (Wanted != wants::gradients) store(weight[0][i] * weight[1][j], value[node] + k);
-        if constexpr (Wanted != wants::values) {
-          store(slope[0][i] * weight[1][j], gradient[0][node] + k);
-          store(weight[0][i] * slope[1][j], gradient[1][node] + k);
-          if constexpr (Space::hoop) store(hoop_weight[i] * weight[1][j], hoop[node] + k);
-        }
+      // products of the axes, the first axis first
+      const auto product = [&](const V* first, int sloped) {
+        V w = first[along(node, 0)];
+        for (int d = 1; d < dim; ++d) w = w * (d == sloped ? slope : weight)[d][along(node, d)];
+        return w;
+      };
+      if constexpr (Wanted != wants::gradients) store(product(weight[0], dim), value[node] + k);
+      if constexpr (Wanted != wants::values) {
+        for (int d = 0; d < dim; ++d) store(product(d == 0 ? slope[0] : weight[0], d), gradient[d][node] + k);
+        if constexpr (Space::hoop) store(product(hoop_weight, dim), hoop[node] + k);
       }
     }
   }

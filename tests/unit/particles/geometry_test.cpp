@@ -34,9 +34,9 @@ TEST(Seeding, PaperSphereHas14010Points) {
 
 TEST(Seeding, PaperSphereIs1p7PercentLight) {
   const sphere ball{point{0, 0}, 4.75 * mm};
-  const double light = 1 - ring_volume(fill(ball, 0.05 * mm), 0.05 * mm) / ball.volume();
+  const double light = 1 - ring_volume(fill(ball, 0.05 * mm), 0.05 * mm) / ball.volume(true);
   EXPECT_NEAR(light, 0.017, 0.0015);
-  const double finer = 1 - ring_volume(fill(ball, 0.0125 * mm), 0.0125 * mm) / ball.volume();
+  const double finer = 1 - ring_volume(fill(ball, 0.0125 * mm), 0.0125 * mm) / ball.volume(true);
   EXPECT_NEAR(finer / light, 0.25, 0.05) << "the error is of first order in the spacing";
 }
 
@@ -44,7 +44,7 @@ TEST(Seeding, PaperPlateHas44By1000Points) {
   const box plate{point{0, 0}, point{50 * mm, 2.2 * mm}};
   const auto all = fill(plate, 0.05 * mm);
   EXPECT_EQ(all.size(), 44000u);
-  EXPECT_NEAR(ring_volume(all, 0.05 * mm) / plate.volume(), 1, 1e-12) << "the midpoint rule is exact for the measure 2 pi r";
+  EXPECT_NEAR(ring_volume(all, 0.05 * mm) / plate.volume(true), 1, 1e-12) << "the midpoint rule is exact for the measure 2 pi r";
   // half-offset lattice, last axis fastest
   EXPECT_NEAR(all[0][0], 0.025 * mm, 1e-12);
   EXPECT_NEAR(all[0][1], 0.025 * mm, 1e-12);
@@ -63,7 +63,23 @@ TEST(Seeding, OneAxis) {
   const box<1> slab{vec<double, 1>{-4 * mm}, vec<double, 1>{0}};
   for_each_lattice_point(slab, slab.anchor(), 0.05 * mm, false, [&](const vec<double, 1>&) { ++n; });
   EXPECT_EQ(n, 80);
-  EXPECT_NEAR(slab.volume(), 4 * mm, 1e-18);
+  EXPECT_NEAR(slab.volume(false), 4 * mm, 1e-18);
+}
+
+TEST(Seeding, VolumesAreThoseOfTheSpace) {
+  const double pi = std::numbers::pi;
+  EXPECT_NEAR((sphere{point{0, 0}, 2.0}.volume(false)), 4 * pi, 1e-14) << "a disc of one metre depth";
+  EXPECT_NEAR((sphere{point{0, 0}, 2.0}.volume(true)), 32 * pi / 3, 1e-13);
+  EXPECT_NEAR((shell{point{0, 0}, 1.0, 2.0}.volume(false)), 3 * pi, 1e-14);
+  EXPECT_NEAR((shell{vec<double, 3>{0, 0, 0}, 1.0, 2.0}.volume(false)), 28 * pi / 3, 1e-13);
+  EXPECT_NEAR((box{point{-1, 0}, point{1, 2}}.volume(false)), 4, 1e-15);
+  EXPECT_NEAR((box{point{-1, 0}, point{1, 2}}.volume(true)), 2 * pi, 1e-15) << "only positive radii count";
+  // midpoint membership: the lattice has the volume on average
+  double n = 0;
+  const shell ring{vec<double, 3>{0.1, 0.2, 0.3}, 0.5, 1.0};
+  for_each_lattice_point(ring, ring.anchor(), 0.05, false, [&](const vec<double, 3>&) { n += 0.05 * 0.05 * 0.05; });
+  EXPECT_NEAR(n / ring.volume(false), 1, 0.01);
+  EXPECT_THROW((shell{point{0, 0}, 1.0, 0.5}), bad_parameter);
 }
 
 TEST(Seeding, BadShapesAreRefusedWithASentence) {

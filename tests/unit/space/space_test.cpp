@@ -2,7 +2,9 @@
 // Every space against full 3 x 3 tensors that are built and combined here, independently of it.
 #include "bolide/concepts/space.hpp"
 #include "bolide/space/axisymmetric.hpp"
+#include "bolide/space/cartesian_3d.hpp"
 #include "bolide/space/planar_1d.hpp"
+#include "bolide/space/plane_strain.hpp"
 
 #include "unit/eos/lanes.hpp"
 
@@ -45,6 +47,16 @@ template <> struct full<space::planar_1d> {
   static tensor deviator(const std::array<double, 1>& s) { return {{{s[0], 0, 0}, {0, -s[0] / 2, 0}, {0, 0, -s[0] / 2}}}; }
   static std::array<double, 1> components(const tensor& t) { return {t[0][0]}; }
 };
+template <> struct full<space::plane_strain> {
+  static tensor gradient(const std::array<double, 4>& l) { return {{{l[0], l[1], 0}, {l[2], l[3], 0}, {0, 0, 0}}}; }
+  static tensor deviator(const std::array<double, 3>& s) { return {{{s[0], s[2], 0}, {s[2], s[1], 0}, {0, 0, -s[0] - s[1]}}}; }
+  static std::array<double, 3> components(const tensor& t) { return {t[0][0], t[1][1], t[0][1]}; }
+};
+template <> struct full<space::cartesian_3d> {
+  static tensor gradient(const std::array<double, 9>& l) { return {{{l[0], l[1], l[2]}, {l[3], l[4], l[5]}, {l[6], l[7], l[8]}}}; }
+  static tensor deviator(const std::array<double, 5>& s) { return {{{s[0], s[2], s[3]}, {s[2], s[1], s[4]}, {s[3], s[4], -s[0] - s[1]}}}; }
+  static std::array<double, 5> components(const tensor& t) { return {t[0][0], t[1][1], t[0][1], t[0][2], t[1][2]}; }
+};
 
 template <class Space> class Spaces : public testing::Test {
 protected:
@@ -61,7 +73,7 @@ protected:
     return s;
   }
 };
-using spaces = testing::Types<space::axisymmetric, space::planar_1d>;
+using spaces = testing::Types<space::axisymmetric, space::planar_1d, space::plane_strain, space::cartesian_3d>;
 TYPED_TEST_SUITE(Spaces, spaces);
 
 TYPED_TEST(Spaces, MeetTheConceptOnEveryLane) {
@@ -160,6 +172,8 @@ TEST(AxisymmetricSpace, VolumeIsThatOfTheRing) {
   EXPECT_EQ(space::axisymmetric::components(rank::gradient), 4);
   EXPECT_EQ(space::axisymmetric::components(rank::deviator), 3);
   EXPECT_EQ(space::planar_1d::volume(at, 0.003), 0.003);
+  EXPECT_EQ(space::plane_strain::volume(at, 0.003), 0.003);
+  EXPECT_EQ(space::cartesian_3d::volume(at, 0.003), 0.003);
 }
 
 } // namespace
