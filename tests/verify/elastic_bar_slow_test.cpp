@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Elastic bar in its first mode, every composition, on twice as many cells as elastic_bar_test.cpp.
+#include "verify/elastic_bar.hpp"
+
+namespace bolide {
+namespace {
+using namespace verify;
+
+template <class Method> class ElasticBar : public testing::Test {};
+using methods = testing::Types<linear_flip_usf, linear_flip_musl, bspline_flip_usf, bspline_flip_musl, bspline_apic_usf, bspline_apic_musl>;
+TYPED_TEST_SUITE(ElasticBar, methods, method_names);
+
+TYPED_TEST(ElasticBar, KeepsItsModeWithSecondOrder) { check_elastic_bar<TypeParam>(30); }
+
+} // namespace
+} // namespace bolide
