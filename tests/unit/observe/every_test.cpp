@@ -42,3 +42,28 @@ TEST(at_end, calls_once) {
   watch.finish(clock_only{1});
   EXPECT_EQ(calls, 1);
 }
+
+TEST(every, keeps_the_path_of_what_was_written) {
+  observe::every watch(1.0, [](const clock_only& c) { return "frame_" + std::to_string(static_cast<int>(c.time())) + ".png"; });
+  EXPECT_EQ(watch.last_output(), "");
+  watch.watch(clock_only{0});
+  watch.watch(clock_only{2.5});
+  EXPECT_EQ(watch.last_output(), "frame_2.png");
+}
+
+TEST(schedule, period_and_list) {
+  observe::schedule each(0.0), tenth(0.1), list(std::vector{0.5, 0.2});
+  std::vector<double> a, b, c;
+  for (const double t : {0.0, 0.05, 0.1, 0.35, 0.36, 0.5, 0.9}) {
+    if (each.due(t)) a.push_back(t);
+    if (tenth.due(t)) b.push_back(t);
+    if (list.due(t)) c.push_back(t);
+  }
+  EXPECT_EQ(a.size(), 7u);
+  EXPECT_EQ(b, (std::vector<double>{0.0, 0.1, 0.35, 0.5, 0.9}));
+  EXPECT_EQ(c, (std::vector<double>{0.35, 0.5}));
+  EXPECT_TRUE(each.with_end());
+  EXPECT_FALSE(list.with_end());
+  EXPECT_THROW(observe::schedule(-1.0), bad_parameter);
+  EXPECT_THROW(observe::schedule(std::vector{0.1, -1.0}), bad_parameter);
+}

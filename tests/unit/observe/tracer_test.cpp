@@ -3,29 +3,18 @@
 #include "bolide/observe/tracer.hpp"
 #include "bolide/concepts/observer.hpp"
 
-#include "unit/observe/test_folder.hpp"
+#include "unit/observe/csv_rows.hpp"
 #include "unit/solver/scenes.hpp"
 
 #include <cmath>
-#include <sstream>
 
 namespace bolide::observe {
 namespace {
 using bolide::test::small_flyer;
 using bolide::test::small_impact;
+using test::read_rows;
 using unit::us;
 using method = bolide::test::bspline_apic_usf;
-
-std::vector<std::vector<std::string>> read_rows(const std::filesystem::path& path) {
-  std::vector<std::vector<std::string>> rows;
-  std::istringstream text(test::bytes_of(path));
-  for (std::string line; std::getline(text, line);) {
-    std::istringstream cells(line);
-    rows.emplace_back();
-    for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
-  }
-  return rows;
-}
 
 TEST(Tracer, IsAnObserver) {
   EXPECT_TRUE((Observer<tracer, decltype(small_flyer<method>())>));
@@ -86,6 +75,19 @@ TEST(Tracer, WritesAnEmptyTemperatureWhereThereIsNone) {
   const auto text = test::bytes_of(at.path / "gauge.csv");
   EXPECT_EQ(text.substr(text.size() - 2), ",\n");
   EXPECT_NE(text.find("x (m),v_x (m/s)"), std::string::npos);
+}
+
+TEST(Tracer, WritesTheFieldsThatAreChosen) {
+  const test::folder at("tracer_fields");
+  auto sim = small_impact<method>();
+  tracer gauge(at.path / "gauge.csv", {100, 3}, std::vector{0.05 * us}, {"plastic_strain", "position", field::deviator{}});
+  EXPECT_EQ(gauge.last_output(), "") << "nothing is written yet";
+  sim.run(0.1 * us, gauge);
+  const auto rows = read_rows(at.path / "gauge.csv");
+  ASSERT_EQ(rows.size(), 3u) << "one time, two particles, and no row at the end";
+  EXPECT_EQ(rows[0], (std::vector<std::string>{"time (s)", "step", "id", "body", "r (m)", "z (m)", "v_r (m/s)", "v_z (m/s)", "plastic_strain (1)",
+                                               "deviator_rr (Pa)", "deviator_zz (Pa)", "deviator_rz (Pa)"}));
+  EXPECT_EQ(gauge.last_output(), (at.path / "gauge.csv").string());
 }
 
 TEST(Tracer, RefusesWhatItCannotFollow) {
