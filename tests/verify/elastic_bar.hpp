@@ -78,7 +78,9 @@ template <class Method> void check_elastic_bar(int coarsest) {
   EXPECT_NEAR(order(still[0].rms, still[1].rms), 2, 0.25);
   EXPECT_NEAR(order(still[1].rms, still[2].rms), 2, 0.15);
   EXPECT_LT(public_suite.rms, 0.02);
-  if constexpr (Method::shape_type::smooth) EXPECT_LT(crossing[2].rms, 0.006);
+  if constexpr (Method::shape_type::smooth) {
+    EXPECT_LT(crossing[2].rms, 0.006);
+  }
   for (const auto& e : {still[2], crossing[2], public_suite}) EXPECT_LT(std::abs(e.drift), 1e-11);
 }
 
