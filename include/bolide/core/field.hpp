@@ -23,11 +23,18 @@ struct viscous_pressure { static constexpr auto name = "viscous_pressure", unit 
 struct sound_speed { static constexpr auto name = "sound_speed", unit = "m/s"; static constexpr rank order = rank::scalar; };
 struct deviator { static constexpr auto name = "deviator", unit = "Pa"; static constexpr rank order = rank::deviator; };
 struct plastic_strain { static constexpr auto name = "plastic_strain", unit = "1"; static constexpr rank order = rank::scalar; };
+struct shear_modulus { static constexpr auto name = "shear_modulus", unit = "Pa"; static constexpr rank order = rank::scalar; };    // where it varies
 /// 0 sound, 1 failed, 2 failed and settled at zero pressure in an open void: what changes the energy of such a particle sets it back to 1.
 struct failed { static constexpr auto name = "failed", unit = "1"; static constexpr rank order = rank::scalar; };
 struct material_volume { static constexpr auto name = "material_volume", unit = "m3"; static constexpr rank order = rank::scalar; }; // without the void
+struct damage { static constexpr auto name = "damage", unit = "1"; static constexpr rank order = rank::scalar; };                   // 1: fails
+/// Of a failed point that softens: the part of its capacity that is gone (0 .. 1), and the tension that it bore when it failed.
+struct lost_capacity { static constexpr auto name = "lost_capacity", unit = "1"; static constexpr rank order = rank::scalar; };
+struct held_tension { static constexpr auto name = "held_tension", unit = "Pa"; static constexpr rank order = rank::scalar; };
 struct peak_pressure { static constexpr auto name = "peak_pressure", unit = "Pa"; static constexpr rank order = rank::scalar; };
 struct carrying_velocity { static constexpr auto name = "carrying_velocity", unit = "m/s"; static constexpr rank order = rank::vector; }; // moves the particle
+struct velocity_residual { static constexpr auto name = "velocity_residual", unit = "m/s"; static constexpr rank order = rank::vector; }; // unseen by the grid
+struct filter_loss { static constexpr auto name = "filter_loss", unit = "J/kg"; static constexpr rank order = rank::scalar; };
 struct affine_velocity { static constexpr auto name = "affine_velocity", unit = "1/s"; static constexpr rank order = rank::gradient; };
 } // namespace field
 

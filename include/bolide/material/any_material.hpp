@@ -3,7 +3,8 @@
 //
 // For programs that offer many equations of state from a command line: the solver is compiled once for any_material instead of once per
 // equation of state. Whoever composes at compile time pays nothing for it. Wrapped materials must use the fields below (those of
-// johnson_cook, tension_or_melt, bulk viscosity and record::peak_pressure) or fewer.
+// johnson_cook, tension_or_melt, bulk viscosity and record::peak_pressure) and those of the last parameter, or fewer: a strength whose modulus
+// varies, damage and softening bring fields that others do not pay for, any_material<T, Space, fields<field::shear_modulus>>.
 #pragma once
 
 #include "bolide/material/material.hpp"
@@ -14,11 +15,12 @@
 
 namespace bolide {
 
-template <class T, class SpaceType> class any_material {
+template <class T, class SpaceType, class More = fields<>> class any_material {
 public:
   using particle_fields =
-      fields<field::mass, field::velocity, field::volume, field::energy, field::pressure, field::deviator, field::plastic_strain, field::failed, field::material_volume,
-             field::viscous_pressure, field::sound_speed, field::peak_pressure>;
+      field_union_t<fields<field::mass, field::velocity, field::volume, field::energy, field::pressure, field::deviator, field::plastic_strain, field::failed,
+                           field::material_volume, field::viscous_pressure, field::sound_speed, field::peak_pressure>,
+                    More>;
   static constexpr bool thermal = true;
 
   template <class Material>

@@ -13,6 +13,13 @@
 // expands further, its material stays at the volume V_m of zero pressure (p(V_m, e) = 0, one Newton step per time step:
 // dV = V p / (rho c^2)) and a void opens: V = V_m + void. It carries pressure again when the void has closed. Density, temperature and phase are those of V_m, so that they mean something.
 // Once Newton's step is round-off the point is settled: only its void changes, and the equation of state is not asked again.
+//
+// Failed points that soften (failure/softening.hpp). A part d of the capacity is gone. The pressure of V_m is then held at -(1 - d) sigma_f instead
+// of 0 while the void opens, and at 0 while it closes; between the two the void stays as it is and V_m takes the strain. Shear: G and Y times
+// 1 - d. What the void takes up, the mean tension times its growth, and the elastic shear energy that goes are the released energy.
+//
+// A shear modulus that changes (with the state, or by softening) keeps the elastic strain: s <- s G_new/G_old. The elastic shear energy
+// s:s/(4 G rho) changes with G and e does not, so the difference is heat: softening and melting warm, hardening cools. Total energy holds.
 #pragma once
 
 #include "bolide/concepts/equation_of_state.hpp"
@@ -50,6 +57,27 @@ template <class V> BOLIDE_INLINE double sum(V x, int n) {
   for (int i = 0; i < n; ++i) s += static_cast<double>(lane(x, i));
   return s;
 }
+/// |curl v|^2 of a velocity gradient whose component c dim + d is dv_c/dx_d.
+template <class Space, class V> BOLIDE_INLINE V vorticity_squared(const typename Space::template gradient<V>& l) {
+  constexpr std::size_t dim = Space::dim;
+  V sum(scalar_t<V>(0));
+  for (std::size_t c = 0; c < dim; ++c)
+    for (std::size_t d = c + 1; d < dim; ++d) sum = sum + square(l[c * dim + d] - l[d * dim + c]);
+  return sum;
+}
+/// A shear modulus in the forms that the update uses: G, 2 G, 1/(4 G), 1/(3 G). Where G = 0 the last two are 0.
+template <class V> struct modulus {
+  V g, twice, quarter_inverse, third_inverse;
+};
+template <class V> BOLIDE_INLINE modulus<V> modulus_of(double g) {
+  using T = scalar_t<V>;
+  return {V(T(g)), V(T(2 * g)), V(T(1 / (4 * g))), V(T(1 / (3 * g)))};
+}
+template <class V> BOLIDE_INLINE modulus<V> modulus_of(V g) {
+  using T = scalar_t<V>;
+  const V inverse = select(g > V(T(0)), T(1) / g, V(T(0)));
+  return {g, T(2) * g, T(0.25) * inverse, T(1.0 / 3) * inverse};
+}
 } // namespace detail
 
 template <class Eos, class Strength, class Failure, class Viscosity = viscosity::bulk, class Record = record::none> class material {
@@ -57,8 +85,24 @@ template <class Eos, class Strength, class Failure, class Viscosity = viscosity:
                                               "gives pressure and sound_speed_squared, and reference_density()");
   static_assert(bolide::Strength<Strength>, "bolide: material: the second argument is no strength: it must have particle_fields, carries_shear, "
                                             "wants_temperature and, if it carries shear, shear_modulus, yield_stress and yield_floor");
+  static_assert(!Strength::carries_shear || Strength::particle_fields::template contains<field::deviator>,
+                "bolide: material: this strength carries shear and does not list field::deviator among its particle_fields");
+  static_assert(!strength_yields<Strength> || Strength::particle_fields::template contains<field::plastic_strain>,
+                "bolide: material: this strength yields and does not list field::plastic_strain among its particle_fields");
+  static_assert(!VariableShearModulus<Strength> || Strength::particle_fields::template contains<field::shear_modulus>,
+                "bolide: material: the shear modulus of this strength varies and it does not list field::shear_modulus among its particle_fields");
   static_assert(bolide::Failure<Failure>, "bolide: material: the third argument is no failure law: it must have particle_fields, may_fail, "
                                           "wants_temperature and, if it may fail, fails(p, T, T_m, melt_fraction)");
+  static_assert(!Failure::may_fail || (Failure::particle_fields::template contains<field::failed> && Failure::particle_fields::template contains<field::material_volume>),
+                "bolide: material: this failure law may fail and does not list field::failed and field::material_volume among its particle_fields");
+  static_assert(!AccumulatingFailure<Failure> || Failure::particle_fields::template contains<field::damage>,
+                "bolide: material: this failure law accumulates damage and does not list field::damage among its particle_fields");
+  static_assert(!SofteningFailure<Failure> || (Failure::particle_fields::template contains<field::lost_capacity> &&
+                                               Failure::particle_fields::template contains<field::held_tension>),
+                "bolide: material: this failure law softens and does not list field::lost_capacity and field::held_tension among its particle_fields");
+  static_assert(!AccumulatingFailure<Failure> || strength_yields<Strength>,
+                "bolide: material: this failure law accumulates damage with plastic strain and the strength never yields; take one that does, "
+                "strength::johnson_cook or strength::elastic_perfectly_plastic");
   static_assert(!Strength::wants_temperature || ThermalEquationOfState<Eos>,
                 "bolide: material: this strength wants a temperature and the equation of state gives none; wrap it in eos::isentrope_temperature");
   static_assert(!Failure::wants_temperature || ThermalEquationOfState<Eos>,
@@ -80,6 +124,7 @@ public:
       : eos(std::move(e)), strength(s), failure(f), viscosity(v), c2_reference_(eos.evaluate(eos.reference_density(), 0.0).sound_speed_squared) {
     require(c2_reference_ >= 0, "sound speed squared at the reference density", c2_reference_, "non-negative", "m2/s2");
     if constexpr (requires { strength.validate(); }) strength.validate();
+    if constexpr (requires { failure.validate(); }) failure.validate();
   }
 
   /// Gives n particles from `begin` their state: density (kg/m3) and specific energy (J/kg); mass must be set.
@@ -97,6 +142,11 @@ public:
       p.template get<field::pressure>()[i] = static_cast<T>(at.pressure);
       if constexpr (Viscosity::present) p.template get<field::sound_speed>()[i] = static_cast<T>(std::sqrt(at.sound_speed_squared));
       if constexpr (Failure::may_fail) p.template get<field::material_volume>()[i] = static_cast<T>(mass / density);
+      if constexpr (varies) {
+        const auto thermal_state = detail::evaluate_all(eos, density, energy);
+        p.template get<field::shear_modulus>()[i] =
+            static_cast<T>(strength.shear_modulus_at(at.pressure, density, thermal_state.temperature, thermal_state.melting_temperature));
+      }
     }
   }
 
@@ -129,11 +179,17 @@ public:
   template <class Columns> double shear_energy(const Columns& p, std::size_t i) const {
     if constexpr (Strength::carries_shear) {
       const double v = static_cast<double>(p.template get<field::volume>()[i]), m = static_cast<double>(p.template get<field::mass>()[i]);
-      return contract_stored(p, i) * v / (4 * strength.shear_modulus * m);
+      double g = strength.shear_modulus;
+      if constexpr (varies) g = static_cast<double>(p.template get<field::shear_modulus>()[i]);
+      if constexpr (softens) g *= 1 - static_cast<double>(p.template get<field::lost_capacity>()[i]);
+      return g > 0 ? contract_stored(p, i) * v / (4 * g * m) : 0;
     } else return 0;
   }
 
 private:
+  static constexpr bool varies = Strength::carries_shear && VariableShearModulus<Strength>;
+  static constexpr bool softens = SofteningFailure<Failure>;
+  static constexpr bool accumulates = AccumulatingFailure<Failure>;
   double c2_reference_;
 
   template <class Columns> double contract_stored(const Columns& p, std::size_t i) const {
@@ -153,6 +209,49 @@ private:
     typename Space::template gradient<V> g;
     for (int c = 0; c < Space::gradient_size; ++c) g[static_cast<std::size_t>(c)] = load<V>(l[c] + k);
     return g;
+  }
+
+  /// The shear modulus that the stored deviator was made with, and the one of the new state.
+  template <class V, class Columns> BOLIDE_INLINE detail::modulus<V> modulus_before(const Columns& p, std::size_t at) const {
+    if constexpr (!varies && !softens) return detail::modulus_of<V>(strength.shear_modulus);
+    else {
+      V g(scalar_t<V>(strength.shear_modulus));
+      if constexpr (varies) g = load<V>(p.template get<field::shear_modulus>() + at);
+      if constexpr (softens) g = g * (scalar_t<V>(1) - load<V>(p.template get<field::lost_capacity>() + at));
+      return detail::modulus_of(g);
+    }
+  }
+  template <class V, class Columns>
+  BOLIDE_INLINE detail::modulus<V> modulus_now(Columns& p, std::size_t at, int n, V pressure, V rho, const thermal_point<V>& state, V capacity) const {
+    if constexpr (!varies && !softens) return detail::modulus_of<V>(strength.shear_modulus);
+    else {
+      V g(scalar_t<V>(strength.shear_modulus));
+      if constexpr (varies) {
+        g = strength.shear_modulus_at(pressure, rho, state.temperature, state.melting_temperature);
+        store_first(g, p.template get<field::shear_modulus>() + at, n);
+      }
+      return detail::modulus_of(g * capacity);
+    }
+  }
+  template <class V> BOLIDE_INLINE V yield_floor(V pressure, V rho, const thermal_point<V>& state) const {
+    if constexpr (varies) return strength.yield_floor(state.temperature, state.melting_temperature, pressure, rho);
+    else return strength.yield_floor(state.temperature, state.melting_temperature);
+  }
+  template <class V> BOLIDE_INLINE V yield_stress(V strain, V rate, V pressure, V rho, const thermal_point<V>& state) const {
+    if constexpr (varies) return strength.yield_stress(strain, rate, state.temperature, state.melting_temperature, pressure, rho);
+    else return strength.yield_stress(strain, rate, state.temperature, state.melting_temperature);
+  }
+  /// A stress with the capacity that is left.
+  template <class V> static BOLIDE_INLINE V bearing([[maybe_unused]] V capacity, V stress) {
+    if constexpr (softens) return stress * capacity;
+    else return stress;
+  }
+  /// A softening point between opening and closing: its own volume takes the strain that leads from the stored pressure to 0 or to -tension,
+  /// and the void takes the rest.
+  template <class V> BOLIDE_INLINE V elastic_own_volume(V own_before, V change, V mass, V pressure, V tension) const {
+    using T = scalar_t<V>;
+    const V zero(T(0)), per_pressure = own_before * own_before / (mass * T(c2_reference_));
+    return own_before + clip(change, per_pressure * min(pressure, zero), per_pressure * max(tension + pressure, zero));
   }
 
   template <class Space, class V, class Columns>
@@ -183,20 +282,33 @@ private:
     auto s = load_deviator<Space, V>(p, at);
     const auto rate = Space::deviatoric_rate(l);
     V shear_power = zero, shear_energy = zero;
+    [[maybe_unused]] detail::modulus<V> before{};
     if constexpr (Strength::carries_shear) {
+      before = modulus_before<V>(p, at);
       shear_power = Space::contract(s, rate);
-      shear_energy = Space::contract(s, s) * specific_volume * T(1 / (4 * strength.shear_modulus));
+      shear_energy = Space::contract(s, s) * specific_volume * before.quarter_inverse;
       const auto spin = Space::jaumann_rate(s, l);
-      for (std::size_t c = 0; c < Space::deviator_size; ++c) s[c] = s[c] + dt * (spin[c] + T(2 * strength.shear_modulus) * rate[c]);
+      for (std::size_t c = 0; c < Space::deviator_size; ++c) s[c] = s[c] + dt * (spin[c] + before.twice * rate[c]);
     }
     // the material's own volume; artificial viscosity, which a void does not carry
     V own_volume = volume;
     auto failed = volume < zero; // none
+    auto gone = failed;          // failed and without any capacity left
+    [[maybe_unused]] V lost_before = zero, lost = zero, held = zero, own_before = volume_before;
     if constexpr (Failure::may_fail) {
       const V state_of_failure = load<V>(p.template get<field::failed>() + at);
       failed = state_of_failure > zero;
-      const V own_before = load<V>(p.template get<field::material_volume>() + at);
-      own_volume = select(failed && own_before < volume_before, min(volume, own_before), volume); // without a void it fills all there is
+      own_before = load<V>(p.template get<field::material_volume>() + at);
+      V own_now = own_before;
+      gone = failed;
+      if constexpr (softens) {
+        lost_before = load<V>(p.template get<field::lost_capacity>() + at);
+        held = load<V>(p.template get<field::held_tension>() + at);
+        lost = select(failed, failure.capacity_lost(lost_before, held, volume_before / own_before - one, step.dt, step.cell), zero);
+        gone = failed && lost >= one;
+        own_now = elastic_own_volume(own_before, volume - volume_before, mass, p_old, held * (one - lost));
+      }
+      own_volume = select(failed && own_before < volume_before, min(volume, own_now), volume); // without a void it fills all there is
       if (!any(!(state_of_failure > one && volume > own_volume) && active)) { // all settled
         store_first(volume, p.template get<field::volume>() + at, n);
         limit_step<Space, V>(p, at, n, l, divergence, zero, zero, step, report);
@@ -206,6 +318,8 @@ private:
     V q = zero;
     if constexpr (Viscosity::present) {
       q = viscosity.pressure(rho, load<V>(p.template get<field::sound_speed>() + at), divergence, step.cell);
+      if constexpr (requires { viscosity.factor(q, q, q); })
+        q = q * viscosity.factor(divergence, detail::vorticity_squared<Space, V>(l), Space::contract(rate, rate));
       if constexpr (Failure::may_fail) q = select(failed && volume > own_volume, zero, q);
     }
     const V predicted = e - shear_energy + T(0.5) * dt * (shear_power - (p_old + q) * divergence) * specific_volume;
@@ -226,46 +340,79 @@ private:
 
     // failure, and the void that opens around failed material
     if constexpr (Failure::may_fail) {
-      const auto now = !failed && failure.fails(pressure, state.temperature, state.melting_temperature, state.melt_fraction);
-      if (any(now && active)) {
-        const V tension = min(pressure, zero); // elastic energy p^2 / (2 rho c^2) and that of shear turn to heat
-        const V released = select(now, volume * T(0.5) * tension * tension / (rho * c2) + mass * shear_energy, zero);
-        report.failure_release += detail::sum(released, n);
+      auto now = !failed && failure.fails(pressure, state.temperature, state.melting_temperature, state.melt_fraction);
+      if constexpr (accumulates) now = now || (!failed && load<V>(p.template get<field::damage>() + at) >= one);
+      const V tension = min(pressure, zero);
+      if constexpr (softens) held = select(now, -tension, held);
+      else {
+        if (any(now && active)) { // elastic energy p^2 / (2 rho c^2) and that of shear turn to heat
+          const V released = select(now, volume * T(0.5) * tension * tension / (rho * c2) + mass * shear_energy, zero);
+          report.failure_release += detail::sum(released, n);
+        }
+        gone = gone || now;
       }
       failed = failed || now;
       if (any(failed && active)) {
-        const V step_back = pressure / (own_rho * c2);
+        V target = zero; // of the pressure while a void opens or closes
+        if constexpr (softens) target = min(max(pressure, -held * (one - lost)), zero);
+        const V step_back = (pressure - target) / (own_rho * c2);
         const V limited = clip(step_back, V(T(-0.2)), V(T(0.25)));
-        const auto open = volume > own_volume || pressure < zero;
+        const auto open = volume > own_volume || pressure < target;
         if (const auto cut = failed && open && active && limited != step_back; any(cut)) report.floors.add(floor_kind::void_iteration, count(cut));
         const V without_void = select(failed && open, min(volume, own_volume * (one + limited)), volume);
-        pressure = select(failed && open, zero, pressure);
+        pressure = select(failed && open, target, pressure);
         store_first(without_void, p.template get<field::material_volume>() + at, n);
-        const auto settled = volume > own_volume && abs(step_back) <= V(T(8) * std::numeric_limits<T>::epsilon());
+        const auto settled = gone && volume > own_volume && abs(step_back) <= V(T(8) * std::numeric_limits<T>::epsilon());
         store_first(select(failed, select(settled, V(T(2)), one), zero), p.template get<field::failed>() + at, n);
+        if constexpr (softens) {
+          const V opened = max((volume - without_void) - (volume_before - own_before), zero), part = (lost - lost_before) / max(one - lost_before, V(T(1e-30)));
+          const V released = select(failed && !now, -T(0.5) * (min(p_old, zero) + min(pressure, zero)) * opened + mass * shear_energy * part, zero);
+          report.failure_release += detail::sum(released, n);
+          store_first(lost, p.template get<field::lost_capacity>() + at, n);
+          store_first(held, p.template get<field::held_tension>() + at, n);
+        }
       }
     }
 
     // radial return; a square root only where the cheap bound of the yield stress is passed
-    V wave2 = select(own_volume < volume, zero, c2); // a void carries no wave
+    auto empty = own_volume < volume;
+    if constexpr (softens) empty = empty && gone;
+    V wave2 = select(empty, zero, c2); // an open void carries no wave
     if constexpr (Strength::carries_shear) {
-      const T g = T(strength.shear_modulus);
-      const V equivalent2 = T(1.5) * Space::contract(s, s);
-      const auto may_yield = !failed && equivalent2 > square(strength.yield_floor(state.temperature, state.melting_temperature));
-      if (any(may_yield && active)) {
-        const V equivalent = sqrt(equivalent2), rate_equivalent = sqrt(T(2.0 / 3) * Space::contract(rate, rate));
-        const V strain = load<V>(p.template get<field::plastic_strain>() + at);
-        const V yield = strength.yield_stress(strain, rate_equivalent, state.temperature, state.melting_temperature);
-        const auto yields = may_yield && equivalent > yield;
-        const V increment = select(yields, (equivalent - yield) * T(1 / (3 * strength.shear_modulus)), zero);
-        const V scale = select(yields, yield / equivalent, one);
-        for (std::size_t c = 0; c < Space::deviator_size; ++c) s[c] = s[c] * scale;
-        store_first(strain + increment, p.template get<field::plastic_strain>() + at, n);
-        report.plastic_work += detail::sum(volume * yield * increment, n);
+      const V capacity = one - lost;
+      const auto g = modulus_now<V>(p, at, n, pressure, own_rho, state, capacity);
+      if constexpr (varies || softens) {
+        const V change = select(before.g > zero, g.g / max(before.g, V(std::numeric_limits<T>::min())), zero); // the elastic strain is kept
+        for (std::size_t c = 0; c < Space::deviator_size; ++c) s[c] = s[c] * change;
+      }
+      if constexpr (strength_yields<Strength>) {
+        const V equivalent2 = T(1.5) * Space::contract(s, s);
+        const auto may_yield = !gone && equivalent2 > square(bearing(capacity, yield_floor(pressure, own_rho, state)));
+        if (any(may_yield && active)) {
+          const V equivalent = sqrt(equivalent2), rate_equivalent = sqrt(T(2.0 / 3) * Space::contract(rate, rate));
+          const V strain = load<V>(p.template get<field::plastic_strain>() + at);
+          V yield = bearing(capacity, yield_stress(strain, rate_equivalent, pressure, own_rho, state));
+          const auto yields = may_yield && equivalent > yield;
+          V increment = select(yields, (equivalent - yield) * g.third_inverse, zero);
+          if constexpr (requires { strength.hardening_modulus; }) {
+            const T h = T(strength.hardening_modulus);
+            increment = select(yields, (equivalent - yield) / (T(3) * g.g + h * capacity), zero);
+            report.plastic_work += detail::sum(volume * (yield + T(0.5) * h * capacity * increment) * increment, n);
+            yield = yield + h * capacity * increment;
+          } else report.plastic_work += detail::sum(volume * yield * increment, n);
+          const V scale = select(yields, yield / equivalent, one);
+          for (std::size_t c = 0; c < Space::deviator_size; ++c) s[c] = s[c] * scale;
+          store_first(strain + increment, p.template get<field::plastic_strain>() + at, n);
+          if constexpr (accumulates) {
+            const V gain = failure.damage_increment(increment, rate_equivalent, pressure, yield, state.temperature, state.melting_temperature);
+            const V damage = load<V>(p.template get<field::damage>() + at);
+            store_first(min(damage + select(yields, gain, zero), one), p.template get<field::damage>() + at, n);
+          }
+        }
       }
       for (int c = 0; c < Space::deviator_size; ++c)
-        store_first(select(failed, zero, s[static_cast<std::size_t>(c)]), p.template get<field::deviator>(c) + at, n);
-      wave2 = wave2 + select(failed, zero, T(4.0 / 3) * g * specific_volume);
+        store_first(select(gone, zero, s[static_cast<std::size_t>(c)]), p.template get<field::deviator>(c) + at, n);
+      wave2 = wave2 + select(gone, zero, T(4.0 / 3) * g.g * specific_volume);
     }
 
     store_first(volume, p.template get<field::volume>() + at, n);
@@ -294,7 +441,8 @@ private:
       if (any(active && first_lanes<V>(n))) return false;
       const V c = load<V>(p.template get<field::sound_speed>() + at);
       V wave2 = c * c;
-      if constexpr (Strength::carries_shear) wave2 = wave2 + T(4.0 / 3 * strength.shear_modulus) * load<V>(p.template get<field::volume>() + at) / mass;
+      if constexpr (Strength::carries_shear && !varies) wave2 = wave2 + T(4.0 / 3 * strength.shear_modulus) * load<V>(p.template get<field::volume>() + at) / mass;
+      if constexpr (varies) wave2 = wave2 + T(4.0 / 3) * load<V>(p.template get<field::shear_modulus>() + at) * load<V>(p.template get<field::volume>() + at) / mass;
       store_first(V(T(0)), p.template get<field::viscous_pressure>() + at, n);
       limit_step<Space, V>(p, at, n, l, V(T(0)), wave2, c, step, report);
       return true;

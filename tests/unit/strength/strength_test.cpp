@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Strength models: what every model must hold, and Johnson-Cook against its formula in long double.
 #include "bolide/concepts/strength.hpp"
+#include "bolide/strength/elastic.hpp"
 #include "bolide/strength/elastic_perfectly_plastic.hpp"
 #include "bolide/strength/johnson_cook.hpp"
+#include "bolide/strength/linear_hardening.hpp"
 #include "bolide/strength/none.hpp"
 
 #include "unit/core/lane_types.hpp"
@@ -17,9 +19,10 @@ namespace {
 template <class Model> Model make();
 template <> strength::johnson_cook make() { return {}; }
 template <> strength::elastic_perfectly_plastic make() { return {27.6e9, 0.3e9}; }
+template <> strength::linear_hardening make() { return {27.6e9, 0.3e9, 1e9}; }
 
 template <class Model> class Strengths : public testing::Test {};
-using models = testing::Types<strength::none, strength::elastic_perfectly_plastic, strength::johnson_cook>;
+using models = testing::Types<strength::none, strength::elastic, strength::elastic_perfectly_plastic, strength::linear_hardening, strength::johnson_cook>;
 TYPED_TEST_SUITE(Strengths, models);
 
 TYPED_TEST(Strengths, MeetTheConceptOnEveryLane) {
@@ -27,7 +30,7 @@ TYPED_TEST(Strengths, MeetTheConceptOnEveryLane) {
 }
 
 TYPED_TEST(Strengths, YieldFloorIsALowerBoundAndYieldIsNotNegative) {
-  if constexpr (TypeParam::carries_shear) {
+  if constexpr (strength_yields<TypeParam>) {
     const auto model = make<TypeParam>();
     for (double strain : {0.0, 1e-9, 0.01, 1.0, 10.0})
       for (double rate : {0.0, 1.0, 1e4, 1e8})
@@ -111,6 +114,24 @@ TEST(PerfectlyPlastic, ChecksItsParameters) {
   } catch (const bad_parameter& e) {
     EXPECT_STREQ(e.what(), "yield stress = -1 Pa: must be positive (unit: Pa)");
   }
+}
+
+TEST(Elastic, NeverYieldsAndStoresNoPlasticStrain) {
+  EXPECT_FALSE(strength_yields<strength::elastic>);
+  EXPECT_FALSE(strength_yields<strength::none>);
+  EXPECT_TRUE(strength_yields<strength::johnson_cook>);
+  EXPECT_FALSE(strength::elastic::particle_fields::contains<field::plastic_strain>);
+  EXPECT_THROW(strength::elastic(0), bad_parameter);
+  EXPECT_THROW(strength::elastic(std::nan("")), bad_parameter);
+}
+
+TEST(LinearHardening, IsALineAndChecksItsParameters) {
+  const strength::linear_hardening m(27.6e9, 0.3e9, 2e9);
+  EXPECT_EQ(m.yield_stress(0.0, 1e6, 900.0, 933.0), 0.3e9);
+  EXPECT_NEAR(m.yield_stress(0.25, 0.0, 0.0, 0.0), 0.8e9, 1);
+  EXPECT_THROW(strength::linear_hardening(1, 1, -1), bad_parameter);
+  EXPECT_THROW(strength::linear_hardening(1, 0, 1), bad_parameter);
+  EXPECT_THROW(strength::linear_hardening(std::nan(""), 1, 1), bad_parameter);
 }
 
 } // namespace
