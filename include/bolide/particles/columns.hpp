@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace bolide::particles {
@@ -59,6 +60,20 @@ public:
     std::vector<std::uint32_t> ids(order.size());
     for (std::size_t i = 0; i < order.size(); ++i) ids[i] = id_[order[i]];
     id_.swap(ids);
+  }
+
+  /// Every column with its padding, and the ids, in their present order (concepts/archive.hpp).
+  template <class A> void archive(A& a) {
+    a.value("id", id_);
+    const auto field_columns = [&]<class Tag>(Tag) {
+      for (int c = 0; c < Space::components(Tag::order); ++c) {
+        auto& column = data_[static_cast<std::size_t>(first<Tag>() + c)];
+        const std::string number = Space::components(Tag::order) > 1 ? "_" + std::to_string(c) : "";
+        a.value(Tag::name + number, column);
+        a.expect(column.size() == (size() == 0 ? column.size() : size() + padding), "the column " + (Tag::name + number) + " has another length than the ids");
+      }
+    };
+    (field_columns(F{}), ...);
   }
 
 private:

@@ -44,6 +44,32 @@ struct ledger {
     return momentum_scale > 0 ? (momentum_now[axis] + momentum_left[axis] - momentum_given[axis] - momentum_initial[axis]) / momentum_scale : 0;
   }
   double scale() const { return initial.total() > 0 ? initial.total() : 1; }
+
+  /// For checkpoints (concepts/archive.hpp). The binding names every member: one more does not compile until it is listed here.
+  template <class A> void archive(A& a) {
+    auto& [at_start, at_end, transferred, heat, mismatch, given_work, gone, plastic, viscous, released, p_start, p_end, p_given, p_gone, p_scale, m_gone, n_gone,
+           floored] = *this;
+    a.value("initial_kinetic", at_start.kinetic);
+    a.value("initial_internal", at_start.internal);
+    a.value("kinetic", at_end.kinetic);
+    a.value("internal", at_end.internal);
+    a.value("transfer", transferred);
+    a.value("returned_heat", heat);
+    a.value("work_mismatch", mismatch);
+    a.value("body_work", given_work);
+    a.value("left", gone);
+    a.value("plastic_work", plastic);
+    a.value("viscous_heating", viscous);
+    a.value("failure_release", released);
+    a.value("momentum_initial", p_start);
+    a.value("momentum_now", p_end);
+    a.value("momentum_given", p_given);
+    a.value("momentum_left", p_gone);
+    a.value("momentum_scale", p_scale);
+    a.value("mass_left", m_gone);
+    a.value("particles_left", n_gone);
+    a.value("floors", floored.count);
+  }
 };
 
 } // namespace bolide

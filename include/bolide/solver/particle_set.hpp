@@ -4,6 +4,7 @@
 
 #include "bolide/grid/sparse.hpp"
 #include "bolide/material/report.hpp"
+#include "bolide/material/response.hpp"
 #include "bolide/particles/columns.hpp"
 #include "bolide/solver/ledger.hpp"
 
@@ -161,6 +162,54 @@ template <class T, class Space, class Shape, class Material, class Fields> struc
       }
     }
     return inside;
+  }
+
+  /// What this body is composed of (concepts/archive.hpp).
+  template <class A> void describe(A& a) const {
+    a.same("name", name);
+    a.same("half particle over cell", static_cast<double>(half_size), "");
+    a.same("mass of its shape", geometric_mass, "kg");
+    a.same("first particle", static_cast<double>(first_id), "");
+    const material_response<T, Space, Material> response(material);
+    std::vector<double> numbers;
+    for (const auto& n : response.numbers()) numbers.push_back(n.value);
+    a.alike("material", numbers, response.tolerance, [&](std::size_t k) { return response.numbers()[k].what; });
+  }
+  /// Particles and their ranges; what follows from these, the neighbours and colours, is made by connect().
+  template <class A> void archive(A& a) {
+    a.value("columns", columns);
+    std::uint64_t count = ranges.size();
+    a.value("ranges", count);
+    ranges.resize(count);
+    const auto column = [&](const std::string& of, auto&& member) { // a member of all ranges
+      std::vector<std::remove_cvref_t<decltype(member(ranges[0]))>> x;
+      for (auto& r : ranges) x.push_back(member(r));
+      a.value("range_" + of, x);
+      a.expect(x.size() == ranges.size(), "the ranges' " + of + " are another number");
+      for (std::size_t k = 0; k < ranges.size(); ++k) member(ranges[k]) = x[k];
+    };
+    column("begin", [](auto& r) -> auto& { return r.begin; });
+    column("end", [](auto& r) -> auto& { return r.end; });
+    for (std::size_t d = 0; d < dim; ++d) {
+      const std::string axis = "_" + std::to_string(d);
+      column("origin" + axis, [d](auto& r) -> auto& { return r.origin[d]; });
+      column("touched_low" + axis, [d](auto& r) -> auto& { return r.touched.low[d]; });
+      column("touched_high" + axis, [d](auto& r) -> auto& { return r.touched.high[d]; });
+    }
+    column("quiet", [](auto& r) -> auto& { return r.quiet; });
+    column("rest_rate", [](auto& r) -> auto& { return r.rest.rate; });
+    column("rest_particle", [](auto& r) -> auto& { return r.rest.particle; });
+    column("rest_cause", [](auto& r) -> auto& { return r.rest.cause; });
+    for (const auto& r : ranges) a.expect(r.begin < r.end && r.end <= columns.size(), "a range of particles is none");
+  }
+  /// Finds neighbours and colours of the ranges in the blocks.
+  void connect(const map& blocks) {
+    for (auto& c : by_colour) c.clear();
+    for (std::size_t k = 0; k < ranges.size(); ++k) {
+      const auto block = map::block_of(ranges[k].origin);
+      ranges[k].near = blocks.neighbourhood(block);
+      by_colour[static_cast<std::size_t>(map::colour_of(block))].push_back(static_cast<std::int32_t>(k));
+    }
   }
 };
 

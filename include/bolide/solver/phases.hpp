@@ -230,6 +230,28 @@ public:
     return any_beyond;
   }
 
+  /// All that the next step starts from (concepts/archive.hpp). Node values are made anew in every step, mirrors with the blocks.
+  template <class A> void archive(A& a) {
+    a.value("dt", dt);
+    a.value("limit_rate", limit.rate);
+    a.value("limit_cause", limit.cause);
+    a.value("limit_particle", limit.particle);
+    a.value("ignore_below", ignore_below);
+    a.value("sorted", sorted);
+    a.value("ledger", energy);
+    std::vector<grid::cell_index<dim>> occupied;
+    int body = 0;
+    for_each_set([&](auto& s) {
+      a.value("body_" + std::to_string(body++), s);
+      for (const auto& r : s.ranges) occupied.push_back(map::block_of(r.origin));
+    });
+    if constexpr (A::reading) {
+      blocks.rebuild(std::move(occupied));
+      for (auto& m : mirrors) m.rebuild(blocks);
+      for_each_set([&](auto& s) { s.connect(blocks); });
+    }
+  }
+
 private:
   static constexpr int asleep = 3;
   static constexpr bool maps_back = !Transfer::affine || !Scheme::stress_first;

@@ -188,6 +188,52 @@ public:
   }
   int threads() const { return threads_; }
 
+  /// What this simulation is composed of: whatever else the next steps depend on beside archive() (concepts/archive.hpp).
+  template <class A> void describe(A& a) const {
+    a.same("space", Space::name);
+    a.same("shape", Shape::name);
+    a.same("transfer", Transfer::name);
+    a.same("scheme", Scheme::name);
+    a.same("precision", sizeof(T) == sizeof(double) ? "double" : "float");
+    a.same("cell size", phases_.h, "m");
+    if constexpr (requires { phases_.transfer.heat; }) a.same("heat of the transfer", phases_.transfer.heat, "");
+    a.same("Courant number", controls_.courant, "");
+    a.same("first step", controls_.first_step, "");
+    a.same("growth", controls_.growth, "");
+    a.same("dt floor", controls_.dt_floor, "");
+    a.same("energy bound", controls_.energy_bound, "");
+    a.same("mirrors", static_cast<double>(phases_.mirrors.size()), "");
+    for (std::size_t k = 0; k < phases_.mirrors.size(); ++k) {
+      const auto& m = phases_.mirrors[k];
+      a.same("mirror " + std::to_string(k), "axis " + std::to_string(m.axis()) + " at node " + std::to_string(m.line()) + ", material " + (m.material_above() ? "above" : "below"));
+    }
+    std::string box("none");
+    if (box_) {
+      box.clear();
+      for (int d = 0; d < dim; ++d) box += (d ? " x " : "") + to_text(box_->low[d]) + " .. " + to_text(box_->high[d]) + " m";
+    }
+    a.same("leaving box", box);
+    a.same("body forces", static_cast<double>(phases_.body_forces.size()), "");
+    for (std::size_t k = 0; k < phases_.body_forces.size(); ++k)
+      a.alike("body force " + std::to_string(k), sampled(phases_.body_forces[k]), 1e-9, [](std::size_t i) { return "acceleration " + std::to_string(i); });
+    a.same("bodies", static_cast<double>(sizeof...(Materials)), "");
+    int body = 0;
+    phases_.for_each_set([&](const auto& s) { a.group("body_" + std::to_string(body++), [&] { s.describe(a); }); });
+  }
+  /// The state of the run between two steps, for checkpoints: written from here, or read into a solver of the same composition.
+  template <class A> void archive(A& a) {
+    if (!started_) start();
+    a.group("composition", [&] { describe(a); });
+    a.value("time", time_);
+    a.value("steps", steps_);
+    a.value("particle_steps", particle_steps_);
+    a.value("solver_seconds", seconds_);
+    a.value("first_dt", first_dt_);
+    a.value("unclipped_dt", unclipped_dt_);
+    a.value("cause", cause_);
+    a.value("phases", phases_);
+  }
+
 private:
   static constexpr long check_interval = 64;
   controls<T> controls_;
@@ -201,6 +247,18 @@ private:
   double first_dt_ = 0, unclipped_dt_ = 0; // the step that was wanted before `most` cut it: growth goes on from there
   step_cause cause_ = step_cause::growth;
   int threads_ = 1;
+
+  /// Accelerations of a body force at a few places (within 10 cells) and times (within 100 us).
+  std::vector<double> sampled(const detail::any_body_force<dim>& force) const {
+    std::vector<double> numbers;
+    for (int k = 0; k < 16; ++k) {
+      vec<double, dim> x;
+      for (int d = 0; d < dim; ++d) x[d] = 10 * phases_.h * std::sin(1.0 + 3 * k + 7 * d);
+      const auto b = force.acceleration(x, 1e-4 * (k % 4) / 3);
+      for (int d = 0; d < dim; ++d) numbers.push_back(b[d]);
+    }
+    return numbers;
+  }
 
   static T checked(const controls<T>& c) {
     c.validate();
