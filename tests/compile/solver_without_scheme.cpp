@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// expect: bolide: solver: the fifth argument is no scheme: it must have particle_fields, stress_first, name and step(phases)
+// expect: bolide: solver: the fifth argument is no scheme: it must have particle_fields, stress_first, maps_velocity_back, wants_smooth_shape, name and step(phases)
 // flags: -Wno-unknown-pragmas
 // A scheme that calls a phase that does not exist is refused with a sentence.
 #include "bolide/eos/stiffened_gas.hpp"
