@@ -72,7 +72,7 @@ public:
 
 private:
   using material_type = bolide::any_material<T, bolide::space::axisymmetric>;
-  using solver_type = bolide::solver<T, bolide::space::axisymmetric, Shape, Transfer, Scheme, material_type, material_type>;
+  using solver_type = bolide::solver<T, bolide::space::axisymmetric, bolide::grid::sparse, Shape, Transfer, Scheme, bolide::contact::single_field, material_type, material_type>;
 
   /// The sphere touches the plate at the origin and flies along z.
   static solver_type make_solver(const settings& s, const chosen_material<T>& ball, const chosen_material<T>& plate) {

@@ -28,7 +28,7 @@ struct room {
   std::vector<std::string> stands_on;
 };
 
-inline const std::vector<std::string> models = {"space", "shape", "grid", "particles", "eos", "strength", "failure", "viscosity", "transfer", "time"};
+inline const std::vector<std::string> models = {"space", "shape", "grid", "particles", "eos", "strength", "failure", "viscosity", "transfer", "contact", "time"};
 
 inline room& find(std::vector<room>& house, const std::string& name) {
   return *std::find_if(house.begin(), house.end(), [&](const room& r) { return r.name == name; });

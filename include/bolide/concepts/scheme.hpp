@@ -2,7 +2,8 @@
 // The role "scheme": in which order are the phases of a step done?
 //
 // A model gives step(phases), a few lines that call the phases of solver/phases.hpp in order, and says whether the stress is updated before
-// the forces (stress_first). `scheme_phases` below is the list of what it may call; the concept is checked against it, so that
+// the forces (stress_first); where it is updated last, whether from node velocities that the particles map back (maps_velocity_back) or from
+// those that the forces left; and whether it needs a shape function whose slope is continuous (wants_smooth_shape). `scheme_phases` below is the list of what it may call; the concept is checked against it, so that
 // a scheme needs no solver to be checked.
 // Invariants: every phase that the others rely on is called once, map_to_nodes first and work_and_move last; momentum and the
 // ledger are the phases' own and hold for any scheme that does so.
@@ -25,6 +26,8 @@ template <class X>
 concept Scheme = requires(const X scheme, scheme_phases& phases) {
   typename X::particle_fields;
   { X::stress_first } -> std::convertible_to<bool>;
+  { X::maps_velocity_back } -> std::convertible_to<bool>;
+  { X::wants_smooth_shape } -> std::convertible_to<bool>;
   { X::name } -> std::convertible_to<const char*>;
   scheme.step(phases);
 };

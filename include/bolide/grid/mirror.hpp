@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Mirror plane on a grid line: the symmetry axis of r-z, a symmetry plane, a slip wall - one idea.
+// Mirror plane on a grid line: the symmetry axis of r-z, a symmetry plane, a slip wall, a wall that holds on - one idea.
 //
 // The material has a mirror image beyond the plane. Image particles give to real nodes what real particles give to image nodes, so
 // after every sum over particles a node and its image both hold (own sum) + (reflected sum of the other); the component normal to the
 // plane changes sign under reflection and vanishes on the plane. With linear shapes no particle reaches an image node and only
-// the condition on the plane is left.
+// the condition on the plane is left. A wall that holds on (stick) reflects the other components of vectors with changed sign too, so that all of them
+// vanish on it.
 #pragma once
 
 #include "bolide/core/contract.hpp"
@@ -20,32 +21,24 @@ struct mirror {
   int axis = 0;
   double position = 0;
   bool material_above = true;
+  bool stick = false; // does the wall hold the material on it, tangentially too?
 };
 
 /// A mirror on a particular grid: the node pairs that it couples. Made anew with every rebuild of the blocks.
 template <int Dim> class mirror_nodes {
 public:
-  mirror_nodes(const mirror& m, double spacing) : axis_(static_cast<std::size_t>(m.axis)), above_(m.material_above) {
+  mirror_nodes(const mirror& m, double spacing) : axis_(static_cast<std::size_t>(m.axis)), above_(m.material_above), stick_(m.stick) {
     require(m.axis >= 0 && m.axis < Dim, "mirror axis", m.axis, "an axis of the space, 0 to " + std::to_string(Dim - 1));
-    const double line = m.position / spacing;
-    line_ = static_cast<std::int32_t>(std::lround(line));
-    require(std::abs(line - line_) < 1e-9 * std::max(1.0, std::abs(line)), "mirror position", m.position,
-            "on a grid line (a multiple of the grid spacing " + to_text(spacing) + " m)", "m");
+    line_ = on_grid_line(m.position, spacing, "mirror position");
   }
 
-  void rebuild(const block_map<Dim>& map) {
-    using index = cell_index<Dim>;
+  template <class Map> void rebuild(const Map& map) {
     pairs_.clear();
     plane_.clear();
     image_.assign(map.size() * block_map<Dim>::nodes_per_block, 0);
     for (std::size_t b = 0; b < map.size(); ++b) {
       for (int local = 0; local < block_map<Dim>::nodes_per_block; ++local) {
-        index at;
-        int rest = local;
-        for (int d = Dim - 1; d >= 0; --d) {
-          at[static_cast<std::size_t>(d)] = map.coordinate(b)[static_cast<std::size_t>(d)] * block_map<Dim>::side + rest % block_map<Dim>::side;
-          rest /= block_map<Dim>::side;
-        }
+        auto at = map.node_at(b, local);
         const auto node = static_cast<std::int32_t>(b) * block_map<Dim>::nodes_per_block + local;
         const std::int32_t depth = above_ ? line_ - at[axis_] : at[axis_] - line_; // > 0: beyond the plane
         if (depth == 0) plane_.push_back(node);
@@ -70,25 +63,32 @@ public:
     for (const auto& pair : pairs_)
       if (block_of(pair.image) && block_of(pair.real)) active_.push_back(pair);
   }
-  /// Completes sums over particles; component `first + axis` is the one normal to the plane (first < 0: none is).
-  template <class Values> void complete(std::vector<Values>& sums, int first) const {
+  /// Completes sums over particles of the node column that begins at `offset`; components first .. first + Dim - 1 are a vector, and
+  /// `first + axis` is the one normal to the plane (first < 0: all are scalars).
+  template <class Values> void complete(std::vector<Values>& sums, int first, std::size_t offset = 0) const {
     const int normal = first < 0 ? -1 : first + static_cast<int>(axis_);
+    const int low = stick_ && first >= 0 ? first : normal, high = stick_ && first >= 0 ? first + Dim - 1 : normal; // components that change sign
+    const auto reflect = [&](Values& v) {
+      for (int c = low; c <= high && c >= 0; ++c) v.set(c, -v[c]);
+    };
     for (const auto& [image, real] : active_) {
-      Values& a = sums[static_cast<std::size_t>(image)];
-      Values& b = sums[static_cast<std::size_t>(real)];
-      if (normal >= 0) a.set(normal, -a[normal]);
+      Values& a = sums[offset + static_cast<std::size_t>(image)];
+      Values& b = sums[offset + static_cast<std::size_t>(real)];
+      reflect(a);
       b += a;
       a = b;
-      if (normal >= 0) a.set(normal, -a[normal]);
+      reflect(a);
     }
     if (normal >= 0)
-      for (const auto node : plane_) sums[static_cast<std::size_t>(node)].set(normal, 0);
+      for (const auto node : plane_)
+        for (int c = low; c <= high; ++c) sums[offset + static_cast<std::size_t>(node)].set(c, 0);
   }
   /// Is this node beyond the plane? Such a node is a copy and must not be counted in sums over nodes.
   bool is_image(std::size_t node) const { return image_[node] != 0; }
   std::size_t axis() const { return axis_; }
   std::int32_t line() const { return line_; }
   bool material_above() const { return above_; }
+  bool sticks() const { return stick_; }
 
 private:
   static constexpr int reach = 2; // image nodes deeper than this are touched by no shape function of the library
@@ -96,7 +96,7 @@ private:
     std::int32_t image, real;
   };
   std::size_t axis_;
-  bool above_;
+  bool above_, stick_;
   std::int32_t line_ = 0;
   std::vector<node_pair> pairs_, active_;
   std::vector<std::int32_t> plane_;

@@ -13,16 +13,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace bolide::grid {
-
-/// The user's choice: cells of one size h (m), node (0, 0, ...) at the origin of coordinates.
-struct sparse {
-  double spacing;
-  explicit sparse(double h) : spacing(h) { require(h > 0 && h < 1e9, "grid spacing", h, "positive and finite", "m"); }
-};
 
 /// The n values of one grid node, kept together in a register of its own so that a transfer is one multiply-add per node; padded to at
 /// least 16 bytes.
@@ -86,19 +82,12 @@ public:
     const auto it = std::lower_bound(blocks_.begin(), blocks_.end(), block);
     return it != blocks_.end() && *it == block ? static_cast<std::int32_t>(it - blocks_.begin()) : -1;
   }
-  std::array<std::int32_t, neighbours> neighbourhood(const index& block) const {
-    std::array<std::int32_t, neighbours> n;
-    for (int i = 0; i < neighbours; ++i) n[static_cast<std::size_t>(i)] = find(shifted(block, i));
-    return n;
-  }
+  std::array<std::int32_t, neighbours> neighbourhood(const index& block) const { return neighbourhood_in(*this, block); }
   /// Global number of a node given by its cell index, -1 where its block does not exist.
-  std::int32_t node(const index& at) const {
-    const auto b = find(block_of(at));
-    if (b < 0) return -1;
-    std::int32_t local = 0;
-    for (std::size_t d = 0; d < Dim; ++d) local = local * side + (at[d] - side * floor_div(at[d]));
-    return b * nodes_per_block + local;
-  }
+  std::int32_t node(const index& at) const { return node_in(*this, at); }
+
+  /// Cell index of a node given by its block and its number there.
+  index node_at(std::size_t block, int local) const { return node_index(coordinate(block), local); }
 
   static constexpr char holds_images = 2; // a block that mirror nodes couple (grid/mirror.hpp)
 
@@ -120,6 +109,28 @@ public:
         for (int j = part.low[1]; j <= part.high[1]; ++j) f((i * side + j) * side + part.low[last], count);
   }
 
+protected:
+  static index node_index(index block, int local) {
+    for (int d = Dim - 1; d >= 0; --d) {
+      const auto k = static_cast<std::size_t>(d);
+      block[k] = block[k] * side + local % side;
+      local /= side;
+    }
+    return block;
+  }
+  template <class Map> static std::array<std::int32_t, neighbours> neighbourhood_in(const Map& map, const index& block) {
+    std::array<std::int32_t, neighbours> n;
+    for (int i = 0; i < neighbours; ++i) n[static_cast<std::size_t>(i)] = map.find(shifted(block, i));
+    return n;
+  }
+  template <class Map> static std::int32_t node_in(const Map& map, const index& at) {
+    const auto b = map.find(block_of(at));
+    if (b < 0) return -1;
+    std::int32_t local = 0;
+    for (std::size_t d = 0; d < Dim; ++d) local = local * side + (at[d] - side * floor_div(at[d]));
+    return b * nodes_per_block + local;
+  }
+
 private:
   static std::int32_t floor_div(std::int32_t i) { return i >= 0 ? i / side : -((side - 1 - i) / side); }
   static index shifted(index b, int n) { // n-th of the 3^Dim neighbours, the block itself in the middle; last axis fastest
@@ -131,6 +142,24 @@ private:
   }
   std::vector<index> blocks_;
 };
+
+/// The user's choice: cells of one size h (m), node (0, 0, ...) at the origin of coordinates.
+struct sparse {
+  double spacing;
+  explicit sparse(double h) : spacing(h) { require(h > 0 && h < 1e9, "grid spacing", h, "positive and finite", "m"); }
+  static constexpr const char* name = "sparse";
+  template <int Dim> using map = block_map<Dim>;
+  template <int Dim> block_map<Dim> make() const { return {}; }
+};
+
+/// The grid line at a position (m); throws bad_parameter where there is none.
+inline std::int32_t on_grid_line(double position, double spacing, const std::string& what) {
+  const double line = position / spacing;
+  const auto nearest = static_cast<std::int32_t>(std::lround(line));
+  require(std::abs(line - nearest) < 1e-9 * std::max(1.0, std::abs(line)), what, position,
+          "on a grid line (a multiple of the grid spacing " + to_text(spacing) + " m)", "m");
+  return nearest;
+}
 
 /// Dense copy of the nodes of a node_range. Row stride is fixed, so that the offset of a node of the stencil is a constant.
 template <int Dim, class Values> struct window {

@@ -8,6 +8,8 @@ namespace bolide::scheme {
 struct musl {
   using particle_fields = fields<>;
   static constexpr bool stress_first = false;
+  static constexpr bool maps_velocity_back = true;
+  static constexpr bool wants_smooth_shape = false;
   static constexpr const char* name = "musl";
 
   template <class Phases> void step(Phases& s) const {

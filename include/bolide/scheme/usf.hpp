@@ -8,6 +8,8 @@ namespace bolide::scheme {
 struct usf {
   using particle_fields = fields<>;
   static constexpr bool stress_first = true;
+  static constexpr bool maps_velocity_back = false;
+  static constexpr bool wants_smooth_shape = false;
   static constexpr const char* name = "usf";
 
   template <class Phases> void step(Phases& s) const {

@@ -48,6 +48,7 @@ template <class T, class Space, class Shape, class Material, class Fields> struc
   T half_size;            // half a particle over the cell size
   double geometric_mass;  // kg
   std::uint32_t first_id;
+  std::size_t number;     // of the body, from 0
   particles::columns<T, Space, Fields> columns;
   std::vector<block_range<dim>> ranges;
   std::array<std::vector<std::int32_t>, map::colours> by_colour; // ranges of each colour
@@ -73,7 +74,7 @@ template <class T, class Space, class Shape, class Material, class Fields> struc
   }
 
   /// Counting sort by block, then by first node within the block; equals keep their order.
-  void sort(const map& blocks, double h) {
+  template <class Map> void sort(const Map& blocks, double h) {
     const std::size_t n = columns.size();
     std::vector<std::uint32_t> key(n), count(blocks.size() * map::nodes_per_block + 1, 0), order(n);
     index last{};
@@ -203,7 +204,7 @@ template <class T, class Space, class Shape, class Material, class Fields> struc
     for (const auto& r : ranges) a.expect(r.begin < r.end && r.end <= columns.size(), "a range of particles is none");
   }
   /// Finds neighbours and colours of the ranges in the blocks.
-  void connect(const map& blocks) {
+  template <class Map> void connect(const Map& blocks) {
     for (auto& c : by_colour) c.clear();
     for (std::size_t k = 0; k < ranges.size(); ++k) {
       const auto block = map::block_of(ranges[k].origin);

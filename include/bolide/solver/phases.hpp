@@ -13,6 +13,8 @@
 #include "bolide/core/field.hpp"
 #include "bolide/core/math.hpp"
 #include "bolide/grid/mirror.hpp"
+#include "bolide/grid/moving_wall.hpp"
+#include "bolide/grid/periodic.hpp"
 #include "bolide/grid/sparse.hpp"
 #include "bolide/solver/body_force.hpp"
 #include "bolide/solver/ledger.hpp"
@@ -24,10 +26,11 @@
 
 namespace bolide {
 
-template <class T, class Space, class Shape, class Transfer, class Scheme, class... Sets> class phases {
+template <class T, class Space, class Grid, class Shape, class Transfer, class Scheme, class Contact, class... Sets> class phases {
 public:
   static constexpr int dim = Space::dim;
-  using map = grid::block_map<dim>;
+  static constexpr int velocity_fields = Contact::multi_field ? static_cast<int>(sizeof...(Sets)) : 1; // per node; that of a body begins at field_of(set)
+  using map = typename Grid::template map<dim>;
   using sums = grid::node_values<T, dim + 1>;     // m, P
   using forces = grid::node_values<T, dim>;       // f, or the momentum change mapped back
   using motion = grid::node_values<T, 2 * dim>;   // v at the beginning, and its change (FLIP) or v at the end (APIC)
@@ -39,7 +42,10 @@ public:
   T dt = 0;
   T courant;
   Transfer transfer;
+  Contact contact;
   std::vector<grid::mirror_nodes<dim>> mirrors;
+  std::vector<grid::periodic_nodes<dim>> periods;
+  std::vector<grid::moving_wall> walls;
   std::vector<detail::any_body_force<dim>> body_forces;
   double time = 0; // s, of the beginning of the step
   ledger energy;
@@ -48,7 +54,8 @@ public:
   bool skip_quiet = true;  // leave out what is at rest?
   bool sorted = false; // does every particle touch only the blocks around its own?
 
-  phases(double spacing, T courant_number, Transfer t, std::tuple<Sets...> s) : sets(std::move(s)), h(spacing), courant(courant_number), transfer(t) {}
+  phases(const Grid& grid, T courant_number, Transfer t, Contact c, std::tuple<Sets...> s)
+      : sets(std::move(s)), blocks(grid.template make<dim>()), h(grid.spacing), courant(courant_number), transfer(t), contact(c) {}
 
   // ---- the phases -------------------------------------------------------------------------------------------------------------
   /// m_I = sum N m, P_I = sum N m v; with a stress that was updated last also f_I = -sum V sigma grad N.
@@ -59,22 +66,23 @@ public:
     if constexpr (!Scheme::stress_first) clear(forces_);
     sweep([this](auto& set, auto& range, update_report&) {
       if (range.quiet == asleep) return;
-      scatter(sums_, range, [&](auto& win) {
+      scatter(sums_, field_of(set), range, [&](auto& win) {
         chunks<wants::values>(set, range, [&](std::size_t begin, int n, const stencil_type& st) {
           scatter_momentum(set.columns, begin, n, st, win);
         });
       });
       if constexpr (!Scheme::stress_first)
-        if (range.quiet == 0) scatter(forces_, range, [&](auto& win) {
+        if (range.quiet == 0) scatter(forces_, field_of(set), range, [&](auto& win) {
           chunks<wants::gradients>(set, range, [&](std::size_t begin, int n, const stencil_type& st) {
             if (carries_stress(set.columns, begin, static_cast<std::size_t>(n))) scatter_force(set, begin, n, st, win);
           });
         });
     });
-    for (const auto& m : mirrors) m.complete(sums_, 1);
-    motion_.resize(node_count());
-    if constexpr (Scheme::stress_first) forces_.resize(node_count());
-    if constexpr (maps_back) back_.resize(node_count());
+    complete(sums_, 1);
+    motion_.resize(column_size());
+    if constexpr (Scheme::stress_first) forces_.resize(column_size());
+    if constexpr (maps_back) back_.resize(column_size());
+    if constexpr (keeps_raw) raw_.resize(column_size());
     each_node([this](std::size_t i) {
       const sums s = sums_[i];
       motion v(T(0));
@@ -86,18 +94,23 @@ public:
       if constexpr (Scheme::stress_first) forces_[i] = forces(T(0));
       if constexpr (maps_back) back_[i] = forces(T(0));
     });
+    if (constrained()) {
+      clear(wall_forces_);
+      if constexpr (Contact::multi_field) find_normals();
+      if constexpr (Scheme::stress_first) constrain<true>();
+    }
   }
 
   /// Stress from the velocities that the particles brought to the nodes, then its forces.
   void update_stress_first() {
     start_report();
     sweep([this](auto& set, auto& range, update_report& report) {
-      if (sleeps_on(range, report)) return;
-      gather(motion_, range, [&](auto& nodes) {
-        scatter(forces_, range, [&](auto& win) {
+      if (sleeps_on(set, range, report)) return;
+      gather(motion_, field_of(set), range, [&](auto& nodes) {
+        scatter(forces_, field_of(set), range, [&](auto& win) {
           chunks<wants::gradients>(set, range, [&](std::size_t begin, int n, const stencil_type& st) {
             T l[Space::gradient_size][chunk_size];
-            velocity_gradient(n, st, nodes, T(1), T(0), l);
+            velocity_gradient(n, st, nodes, T(1), constrained() ? T(1) : T(0), l);
             set.material.template update<Space>(set.columns, begin, n, l, context(true), report);
             if (carries_stress(set.columns, begin, static_cast<std::size_t>(n))) scatter_force(set, begin, n, st, win);
           });
@@ -110,23 +123,30 @@ public:
   /// dv_I = f_I dt / m_I, boundary conditions; the nodal work of steps without a map back is known here.
   void accelerate_nodes() {
     if (!body_forces.empty()) scatter_body_forces();
-    for (const auto& m : mirrors) m.complete(forces_, 0);
-    each_node([this](std::size_t i) {
+    complete(forces_, 0);
+    const bool with_constraints = constrained();
+    each_node([this, with_constraints](std::size_t i) {
       if (!(sums_[i][0] > T(0))) return;
       const T factor = dt / sums_[i][0];
       for (int d = 0; d < dim; ++d) {
         const T f = body_forces.empty() ? forces_[i][d] : forces_[i][d] + external_[i][d];
-        motion_[i].set(dim + d, f * factor + (Transfer::affine ? motion_[i][d] : T(0)));
+        const T before = with_constraints ? motion_[i][dim + d] : T(0); // what constrain() did before the stress
+        motion_[i].set(dim + d, f * factor + (before + (Transfer::affine ? motion_[i][d] : T(0))));
       }
+    });
+    if (with_constraints) constrain<false>();
+    if constexpr (keeps_raw) each_node([this](std::size_t i) {
+      for (int d = 0; d < dim; ++d) raw_[i].set(d, motion_[i][d] + motion_[i][dim + d]);
     });
     if constexpr (Transfer::affine) nodal_work();
   }
 
   /// New particle velocities; what the scheme or the transfer needs back on the nodes.
   void map_to_particles() {
+    if constexpr (Transfer::filter_order > 1) filter_velocities();
     sweep([this](auto& set, auto& range, update_report& report) {
-      if (sleeps_on(range)) return;
-      gather(motion_, range, [&](auto& nodes) {
+      if (sleeps_on(set, range)) return;
+      gather(motion_, field_of(set), range, [&](auto& nodes) {
         const auto run = [&](auto& win) {
           chunks<Transfer::affine ? wants::both : wants::values>(set, range, [&](std::size_t begin, int n, const stencil_type& st) {
             if constexpr (Transfer::affine) {
@@ -141,13 +161,13 @@ public:
             }
           });
         };
-        if constexpr (maps_back) scatter(back_, range, run);
+        if constexpr (maps_back) scatter(back_, field_of(set), range, run);
         else run(nodes);
       });
     });
     finish_kinetic();
     if constexpr (maps_back) {
-      for (const auto& m : mirrors) m.complete(back_, 0);
+      complete(back_, 0);
       each_node([this](std::size_t i) {
         if (!(sums_[i][0] > T(0))) return;
         for (int d = 0; d < dim; ++d) motion_[i].set(dim + d, back_[i][d] / sums_[i][0]); // FLIP: dv~ = sum N m dv_p / m_I; APIC: v'_I
@@ -161,21 +181,28 @@ public:
     if constexpr (!Scheme::stress_first) start_report();
     sweep([&](auto& set, auto& range, update_report& report) {
       constexpr bool only_work = Scheme::stress_first;
-      if (only_work ? range.quiet > 0 : sleeps_on(range, report)) return;
+      if (only_work ? range.quiet > 0 : sleeps_on(set, range, report)) return;
       if constexpr (!Transfer::affine || !Scheme::stress_first)
-        if (!only_work || carries_stress(set.columns, range.begin, range.end - range.begin)) gather(motion_, range, [&](auto& nodes) {
+        if (!only_work || carries_stress(set.columns, range.begin, range.end - range.begin)) gather(motion_, field_of(set), range, [&](auto& nodes) {
           chunks<wants::gradients>(set, range, [&](std::size_t begin, int n, const stencil_type& st) {
             T l[Space::gradient_size][chunk_size];
             if constexpr (!Transfer::affine) {
               velocity_gradient(n, st, nodes, T(1), T(0.5), l);
               set.material.template work<Space>(set.columns, begin, n, l, dt, report);
             }
-            if constexpr (!Scheme::stress_first) {
+            if constexpr (!Scheme::stress_first && !keeps_raw) {
               velocity_gradient(n, st, nodes, Transfer::affine ? T(0) : T(1), T(1), l);
               set.material.template update<Space>(set.columns, begin, n, l, context(false), report);
             }
           });
         });
+      if constexpr (keeps_raw) gather(raw_, field_of(set), range, [&](auto& nodes) {
+        chunks<wants::gradients>(set, range, [&](std::size_t begin, int n, const stencil_type& st) {
+          T l[Space::gradient_size][chunk_size];
+          gradient_of(n, st, nodes, l);
+          set.material.template update<Space>(set.columns, begin, n, l, context(false), report);
+        });
+      });
       move(set, range, report);
     });
     finish_report();
@@ -200,8 +227,7 @@ public:
   void sort() {
     std::vector<grid::cell_index<dim>> occupied;
     for_each_set([&](auto& s) { s.collect_blocks(h, occupied); });
-    blocks.rebuild(std::move(occupied));
-    for (auto& m : mirrors) m.rebuild(blocks);
+    rebuild(std::move(occupied));
     for_each_set([&](auto& s) {
       s.sort(blocks, h);
       for (auto& r : s.ranges) {
@@ -216,6 +242,10 @@ public:
   }
 
   std::size_t node_count() const { return blocks.size() * map::nodes_per_block; }
+  /// Values in a node column: one per node and velocity field.
+  std::size_t column_size() const { return node_count() * velocity_fields; }
+  /// Where the velocity field of a body begins in the node columns.
+  template <class Set> std::size_t field_of(const Set& set) const { return Contact::multi_field ? set.number * node_count() : 0; }
 
   /// Is a particle beyond this box (m)? Known to a cell: what is less than a cell beyond may go unseen.
   bool beyond(const vec<double, dim>& low, const vec<double, dim>& high) const {
@@ -246,18 +276,20 @@ public:
       for (const auto& r : s.ranges) occupied.push_back(map::block_of(r.origin));
     });
     if constexpr (A::reading) {
-      blocks.rebuild(std::move(occupied));
-      for (auto& m : mirrors) m.rebuild(blocks);
+      rebuild(std::move(occupied));
       for_each_set([&](auto& s) { s.connect(blocks); });
     }
   }
 
 private:
   static constexpr int asleep = 3;
-  static constexpr bool maps_back = !Transfer::affine || !Scheme::stress_first;
+  static constexpr bool maps_back = !Transfer::affine || Scheme::maps_velocity_back;
+  /// Does the stress follow the velocities that the forces left on the nodes, where the column `motion_` no longer has them?
+  static constexpr bool keeps_raw = !Transfer::affine && !Scheme::stress_first && !Scheme::maps_velocity_back;
+  static constexpr bool filters = Transfer::filter_order > 0;
   static constexpr std::int64_t worth_threads = 16384; // particles (or half as many nodes) below which threads cost more than they give
   std::vector<sums> sums_;
-  std::vector<forces> forces_, back_, external_;
+  std::vector<forces> forces_, back_, external_, raw_, residual_, next_residual_, normals_, wall_forces_, contact_forces_;
   std::vector<motion> motion_;
   struct touched_part {
     std::int32_t block;
@@ -266,6 +298,21 @@ private:
   std::vector<touched_part> touched_;  // nodes that particles touch in this step
   std::vector<double> node_sums_;      // of a loop over nodes, one per touched block
   std::vector<update_report> reports_; // one per range
+
+  /// Makes the blocks around the occupied ones, and what the boundaries know of them.
+  void rebuild(std::vector<grid::cell_index<dim>> occupied) {
+    blocks.rebuild(std::move(occupied));
+    require(static_cast<double>(column_size()) < 2147483647.0, "nodes of the grid times velocity fields", static_cast<double>(column_size()), "less than 2^31: take larger cells");
+    for (auto& m : mirrors) m.rebuild(blocks);
+    for (auto& p : periods) p.rebuild(blocks);
+  }
+  /// The boundary conditions on a sum over particles, in every velocity field; components first .. first + dim - 1 are a vector.
+  template <class Values> void complete(std::vector<Values>& column, int first) const {
+    for (std::size_t f = 0; f < velocity_fields; ++f) {
+      for (const auto& m : mirrors) m.complete(column, first, f * node_count());
+      for (const auto& p : periods) p.complete(column, first, f * node_count());
+    }
+  }
 
   step_context<T> context(bool gradient_at_end) const { return {dt, static_cast<T>(h), courant, ignore_below, gradient_at_end}; }
 
@@ -343,17 +390,17 @@ private:
     spread(1, 2);
   }
   /// Does a range go on sleeping? It wakes when a node of it moves.
-  bool sleeps_on(block_range<dim>& range, update_report& report) const {
-    if (!sleeps_on(range)) return false;
+  template <class Set> bool sleeps_on(const Set& set, block_range<dim>& range, update_report& report) const {
+    if (!sleeps_on(set, range)) return false;
     report.limit = range.rest;
     return true;
   }
-  bool sleeps_on(block_range<dim>& range) const {
+  template <class Set> bool sleeps_on(const Set& set, block_range<dim>& range) const {
     if (range.quiet == 0) return false;
     if (range.quiet > 1) return true;
     bool moves = false;
     grid::for_each_run<dim>(range.near, range.touched, [&](std::int32_t node, int, int count) {
-      for (int i = 0; i < count; ++i) moves = moves || any(motion_[static_cast<std::size_t>(node + i)] != motion(T(0)));
+      for (int i = 0; i < count; ++i) moves = moves || any(motion_[field_of(set) + static_cast<std::size_t>(node + i)] != motion(T(0)));
     });
     if (moves) range.quiet = 0;
     return !moves;
@@ -392,16 +439,29 @@ private:
     });
     std::vector<char> mirrored = touched;
     for (auto& m : mirrors) m.spread(mirrored);
+    for (auto& p : periods) p.spread(mirrored);
     touched_.clear();
     for (std::size_t b = 0; b < blocks.size(); ++b)
       if (mirrored[b]) touched_.push_back({static_cast<std::int32_t>(b), mirrored[b] == map::holds_images ? whole : nodes[b]});
   }
   template <class Values> void clear(std::vector<Values>& column) {
-    column.resize(node_count());
+    column.resize(column_size());
     each_node([&](std::size_t i) { column[i] = Values(T(0)); });
   }
-  /// f(node) for every touched node; what it returns is summed block by block.
+  /// f(index into the node columns) for every touched node of every velocity field.
   template <class F> void each_node(F&& f) {
+    each_place([&](std::size_t place) {
+      if constexpr (velocity_fields == 1) return f(place);
+      else if constexpr (std::is_same_v<std::invoke_result_t<F, std::size_t>, double>) {
+        double sum = 0;
+        for (std::size_t at = place; at < column_size(); at += node_count()) sum += f(at);
+        return sum;
+      } else
+        for (std::size_t at = place; at < column_size(); at += node_count()) f(at);
+    });
+  }
+  /// f(node) for every touched node; what it returns is summed block by block.
+  template <class F> void each_place(F&& f) {
     constexpr bool sums_up = std::is_same_v<std::invoke_result_t<F, std::size_t>, double>;
     const auto n = static_cast<std::int64_t>(touched_.size());
     if constexpr (sums_up) node_sums_.assign(touched_.size(), 0);
@@ -440,45 +500,149 @@ private:
     const double work = work_of(forces_);
     energy.transfer -= work;
     energy.work_mismatch += work;
-    if (body_forces.empty()) return;
-    const double given = work_of(external_);
-    energy.transfer -= given;
-    energy.body_work += given;
+    if (!body_forces.empty()) book(external_, energy.body_work);
+    if (!walls.empty()) {
+      book(wall_forces_, energy.boundary_work);
+      count_wall_momentum();
+    }
+    if constexpr (Contact::multi_field) book(contact_forces_, energy.contact);
   }
+  /// Books the work of a column of forces in a channel of its own instead of in `transfer`.
+  void book(const std::vector<forces>& f, double& channel) {
+    const double work = work_of(f);
+    energy.transfer -= work;
+    channel += work;
+  }
+
+  // ---- moving walls, and contact between bodies that keep a velocity of their own -------------------------------------------------
+  bool constrained() const { return Contact::multi_field || !walls.empty(); }
+
+  /// Outward direction of every body: minus the gradient of its volume, sum V grad N.
+  void find_normals() {
+    clear(normals_);
+    clear(contact_forces_);
+    sweep([this](auto& set, auto& range, update_report&) {
+      if (range.quiet == asleep) return;
+      scatter(normals_, field_of(set), range, [&](auto& win) {
+        chunks<wants::gradients>(set, range, [&](std::size_t begin, int n, const stencil_type& st) {
+          const T* const volume = set.columns.template get<field::volume>() + begin;
+          accumulate(win.node.data(), st, n, [&](int k, auto& sum) {
+            for (int a = 0; a < stencil_type::nodes; ++a)
+              sum[static_cast<std::size_t>(a)] += forces::make([&](int c) { return c < dim ? volume[k] * st.gradient[c < dim ? c : 0][a][k] : T(0); });
+          });
+        });
+      });
+    });
+    complete(normals_, 0);
+  }
+
+  /// Changes node velocities to what contact and walls allow: before the stress those that the particles brought, then those that the forces
+  /// left. The change goes to the second half of `motion_`, the force that makes it is remembered for the ledger.
+  template <bool Before> void constrain() {
+    each_place([this](std::size_t place) {
+      if constexpr (Contact::multi_field) this->template separate_bodies<Before>(place);
+    });
+    for (const auto& w : walls)
+      for (const auto& part : touched_)
+        map::for_each_row(part.nodes, [&](int local, int count) {
+          for (int n = local; n < local + count; ++n) {
+            const double x = blocks.node_at(static_cast<std::size_t>(part.block), n)[static_cast<std::size_t>(w.axis)] * h;
+            if (!w.holds(x, time + static_cast<double>(dt))) continue;
+            const std::size_t place = static_cast<std::size_t>(part.block) * map::nodes_per_block + static_cast<std::size_t>(n);
+            for (std::size_t at = place; at < column_size(); at += node_count()) this->template push<Before>(w, at);
+          }
+        });
+  }
+  /// The velocity that constrain() looks at, component d of node value i.
+  template <bool Before> T free_velocity(std::size_t i, int d) const {
+    return motion_[i][dim + d] + (Before || !Transfer::affine ? motion_[i][d] : T(0));
+  }
+  void change_velocity(std::vector<forces>& by, std::size_t i, int d, T change) {
+    motion_[i].set(dim + d, motion_[i][dim + d] + change);
+    by[i].set(d, by[i][d] + sums_[i][0] * change / dt);
+  }
+  template <bool Before> void push(const grid::moving_wall& w, std::size_t i) {
+    if (!(sums_[i][0] > T(0)) || !w.approaches(this->template free_velocity<Before>(i, w.axis))) return;
+    for (int d = 0; d < dim; ++d)
+      if (d == w.axis || w.stick) change_velocity(wall_forces_, i, d, (d == w.axis ? static_cast<T>(w.velocity) : T(0)) - this->template free_velocity<Before>(i, d));
+  }
+  template <bool Before> void separate_bodies(std::size_t place) {
+    std::size_t bodies[velocity_fields];
+    std::size_t count = 0;
+    T mass = 0;
+    std::array<T, dim> mean{}; // velocity of the centre of mass
+    for (std::size_t at = place; at < column_size(); at += node_count())
+      if (sums_[at][0] > T(0)) {
+        bodies[count++] = at;
+        mass += sums_[at][0];
+        for (std::size_t d = 0; d < dim; ++d) mean[d] += sums_[at][0] * this->template free_velocity<Before>(at, static_cast<int>(d));
+      }
+    if (count < 2) return;
+    for (auto& v : mean) v /= mass;
+    std::array<T, dim> n{}, u{};
+    T length = 0;
+    if (count == 2)
+      for (std::size_t d = 0; d < dim; ++d) {
+        n[d] = normals_[bodies[1]][static_cast<int>(d)] - normals_[bodies[0]][static_cast<int>(d)]; // out of the first body
+        length += n[d] * n[d];
+      }
+    const T inverse = length > T(0) ? T(1) / std::sqrt(length) : T(0);
+    for (std::size_t b = 0; b < count; ++b) {
+      for (std::size_t d = 0; d < dim; ++d) u[d] = this->template free_velocity<Before>(bodies[b], static_cast<int>(d)) - mean[d];
+      std::array<T, dim> change;
+      if (inverse > T(0)) {
+        std::array<T, dim> outward;
+        for (std::size_t d = 0; d < dim; ++d) outward[d] = (b == 0 ? inverse : -inverse) * n[d];
+        change = contact.correction(u, outward);
+      } else
+        for (std::size_t d = 0; d < dim; ++d) change[d] = -u[d]; // three bodies, or no direction: they stick
+      for (std::size_t d = 0; d < dim; ++d) change_velocity(contact_forces_, bodies[b], static_cast<int>(d), change[d]);
+    }
+  }
+  void count_wall_momentum() {
+    for (int d = 0; d < dim; ++d) {
+      each_node([this, d](std::size_t i) { return sums_[i][0] > T(0) && !is_image(i) ? static_cast<double>(wall_forces_[i][d]) : 0.0; });
+      for (const double part : node_sums_) energy.momentum_given[static_cast<std::size_t>(d)] += part * static_cast<double>(dt);
+    }
+  }
+
   /// sum N m b(x_p, t), and the momentum that it gives.
   void scatter_body_forces() {
     clear(external_);
     sweep([this](auto& set, auto& range, update_report&) {
-      scatter(external_, range, [&](auto& win) {
+      scatter(external_, field_of(set), range, [&](auto& win) {
         chunks<wants::values>(set, range, [&](std::size_t begin, int n, const stencil_type& st) { scatter_body_force(set.columns, begin, n, st, win); });
       });
     });
     for_each_set([this](const auto& s) { count_given_momentum(s.columns); });
-    for (const auto& m : mirrors) m.complete(external_, 0);
+    complete(external_, 0);
   }
-  bool is_image(std::size_t node) const {
+  bool is_image(std::size_t at) const {
+    const std::size_t node = velocity_fields == 1 ? at : at % node_count();
     for (const auto& m : mirrors)
       if (m.is_image(node)) return true;
+    for (const auto& p : periods)
+      if (p.is_image(node)) return true;
     return false;
   }
 
   /// Runs f on a window that holds a copy of the touched nodes.
-  template <class Values, class F> static BOLIDE_INLINE void gather(const std::vector<Values>& column, const block_range<dim>& range, F&& f) {
+  template <class Values, class F> static BOLIDE_INLINE void gather(const std::vector<Values>& column, std::size_t field, const block_range<dim>& range, F&& f) {
     grid::window<dim, Values> win;
     grid::for_each_run<dim>(range.near, range.touched, [&](std::int32_t node, int at, int count) {
-      for (int i = 0; i < count; ++i) win.node[static_cast<std::size_t>(at + i)] = column[static_cast<std::size_t>(node + i)];
+      for (int i = 0; i < count; ++i) win.node[static_cast<std::size_t>(at + i)] = column[field + static_cast<std::size_t>(node + i)];
     });
     f(win);
   }
   /// Runs f on a zeroed window and adds it to the touched nodes.
-  template <class Values, class F> static BOLIDE_INLINE void scatter(std::vector<Values>& column, const block_range<dim>& range, F&& f) {
+  template <class Values, class F> static BOLIDE_INLINE void scatter(std::vector<Values>& column, std::size_t field, const block_range<dim>& range, F&& f) {
     grid::window<dim, Values> win;
     grid::for_each_run<dim>(range.near, range.touched, [&](std::int32_t, int at, int count) {
       for (int i = 0; i < count; ++i) win.node[static_cast<std::size_t>(at + i)] = Values(T(0));
     });
     f(win);
     grid::for_each_run<dim>(range.near, range.touched, [&](std::int32_t node, int at, int count) {
-      for (int i = 0; i < count; ++i) column[static_cast<std::size_t>(node + i)] += win.node[static_cast<std::size_t>(at + i)];
+      for (int i = 0; i < count; ++i) column[field + static_cast<std::size_t>(node + i)] += win.node[static_cast<std::size_t>(at + i)];
     });
   }
   /// f(begin, n, stencil) for the particles of a range, chunk_size at a time.
@@ -500,7 +664,7 @@ private:
   /// add(k, sum) adds what particle k gives to the nodes of its support. Particles are sorted by their first node, so that those of the same
   /// support follow each other: they are summed in registers and the window is touched once for all of them.
   template <class Values, class F> static BOLIDE_INLINE void accumulate(Values* nodes, const stencil_type& st, int n, F&& add) {
-    std::array<Values, stencil_type::nodes> sum;
+    alignas(64) std::array<Values, stencil_type::nodes> sum; // said aloud: g++ 12 does not align it by itself in a function that calls nothing
     for (int k = 0; k < n;) {
       const std::int32_t base = st.base[k];
       for (auto& x : sum) x = Values(T(0));
@@ -522,7 +686,7 @@ private:
       const T m = mass[k];
       const sums q = sums::make([&](int c) { return c == 0 ? m : c <= dim ? m * velocity[static_cast<std::size_t>(c <= dim && c > 0 ? c - 1 : 0)][k] : T(0); });
       if constexpr (Transfer::affine) {
-        std::array<sums, dim> slope; // m C_.d h: change of the momentum per cell along axis d
+        alignas(64) std::array<sums, dim> slope; // m C_.d h: change of the momentum per cell along axis d
         for (std::size_t d = 0; d < dim; ++d) {
           slope[d] = sums::make([&](int c) { return c > 0 && c <= dim ? m * cell * affine[static_cast<std::size_t>(c > 0 && c <= dim ? c - 1 : 0) * dim + d][k] : T(0); });
         }
@@ -542,7 +706,7 @@ private:
     const motion* const from = nodes.node.data();
     for (int k = 0; k < n; ++k) {
       const motion* const at = from + st.base[k];
-      std::array<motion, dim> g;
+      alignas(64) std::array<motion, dim> g;
       for (auto& x : g) x = motion(T(0));
       motion hoop(T(0));
       for (int a = 0; a < stencil_type::nodes; ++a) {
@@ -556,6 +720,19 @@ private:
     }
     for (int c = 0; c < Space::gradient_size; ++c) // the last register of a chunk is read whole
       for (int k = n; k < chunk_size && k < n + native_width<T>; ++k) l[c][k] = T(0);
+  }
+
+  /// Gradient at n particles of the velocity in a column that holds it alone.
+  template <class Window> BOLIDE_INLINE void gradient_of(int n, const stencil_type& st, const Window& nodes, T (*l)[chunk_size]) const {
+    for (int c = 0; c < Space::gradient_size; ++c)
+      for (int k = 0; k < chunk_size && k < n + native_width<T>; ++k) l[c][k] = T(0);
+    for (int k = 0; k < n; ++k)
+      for (int a = 0; a < stencil_type::nodes; ++a) {
+        const forces v = nodes.node[static_cast<std::size_t>(st.base[k] + stencil_type::offset(a))];
+        for (int c = 0; c < dim; ++c)
+          for (int d = 0; d < dim; ++d) l[c * dim + d][k] += v[c] * st.gradient[d][a][k];
+        if constexpr (Space::hoop) l[dim * dim][k] += v[0] * st.hoop[a][k];
+      }
   }
 
   /// f_I = -V (sigma grad N), in r-z with the hoop stress.
@@ -578,7 +755,7 @@ private:
     }
     forces* const nodes = win.node.data();
     accumulate(nodes, st, n, [=, &st, &stress](int k, auto& sum) {
-      std::array<forces, dim> column; // of -V sigma, one per direction of the gradient
+      alignas(64) std::array<forces, dim> column; // of -V sigma, one per direction of the gradient
       for (int d = 0; d < dim; ++d) {
         column[static_cast<std::size_t>(d)] = forces::make([&](int c) { return c < dim ? stress[(c < dim ? c : 0) * dim + d][k] : T(0); });
       }
@@ -621,11 +798,16 @@ private:
     const auto velocity = columns_of<field::velocity, dim>(p, begin), carrying = columns_of<field::carrying_velocity, dim>(p, begin);
     const motion* const from = nodes.node.data();
     forces* const to = win.node.data();
-    double kinetic_gain = 0;
-    accumulate(to, st, n, [=, &st, &kinetic_gain](int k, auto& sum) {
+    double kinetic_gain = 0, returned_heat = 0;
+    accumulate(to, st, n, [=, this, &st, &p, &kinetic_gain, &returned_heat](int k, auto& sum) {
       motion seen(T(0));
       for (int a = 0; a < stencil_type::nodes; ++a) seen += from[st.base[k] + stencil_type::offset(a)] * st.value[a][k];
       T gain = 0;
+      if constexpr (filters) {
+        const auto filtered = filter(p, begin + static_cast<std::size_t>(k), k, st, from, seen);
+        gain = filtered.kinetic_gain;
+        returned_heat += static_cast<double>(mass[k]) * static_cast<double>(filtered.heat);
+      }
       for (std::size_t d = 0; d < dim; ++d) {
         const T v = velocity[d][k], dv = seen[static_cast<int>(dim + d)];
         gain += dv * (v + T(0.5) * dv);
@@ -638,6 +820,103 @@ private:
       for (int a = 0; a < stencil_type::nodes; ++a) sum[static_cast<std::size_t>(a)] += back * st.value[a][k];
     });
     report.kinetic_gain += kinetic_gain;
+    report.returned_heat += returned_heat;
+  }
+
+  /// Takes filter() r, r = (1 - S S+)^m v, from the velocity of a particle before it takes the change dv of the grid, and returns what that
+  /// loses as heat (transfer/pic.hpp, transfer/xpic.hpp).
+  struct filtering {
+    T kinetic_gain, heat; // J/kg
+  };
+  template <class Columns>
+  BOLIDE_INLINE filtering filter(Columns& p, std::size_t i, int k, const stencil_type& st, const motion* from, const motion& seen) const {
+    const T part = static_cast<T>(transfer.filter());
+    std::array<T, dim> r;
+    T unseen = 0, squares = 0, product = 0; // v . r as a sum that is not negative, |r|^2, dv . r
+    if constexpr (Transfer::filter_order == 1) {
+      const motion v = motion::make([&](int c) { return p.template get<field::velocity>(c % dim)[i]; });
+      motion spread(T(0));
+      for (int a = 0; a < stencil_type::nodes; ++a) {
+        const motion b = from[st.base[k] + stencil_type::offset(a)] - v;
+        spread += b * b * st.value[a][k];
+      }
+      for (int d = 0; d < dim; ++d) {
+        r[static_cast<std::size_t>(d)] = v[d] - seen[d];
+        unseen += spread[d];
+      }
+    } else {
+      for (int d = 0; d < dim; ++d) r[static_cast<std::size_t>(d)] = p.template get<field::velocity_residual>(d)[i];
+      unseen = p.template get<field::filter_loss>()[i];
+    }
+    T gain = 0;
+    for (int d = 0; d < dim; ++d) {
+      T& v = p.template get<field::velocity>(d)[i];
+      const T x = r[static_cast<std::size_t>(d)], next = v - part * x;
+      squares += x * x;
+      product += seen[dim + d] * x;
+      gain += T(0.5) * (next - v) * (next + v);
+      v = next;
+    }
+    const T heat = static_cast<T>(transfer.heat) * part * (unseen - T(0.5) * part * squares + product);
+    p.template get<field::energy>()[i] += heat;
+    if constexpr (Columns::template has<field::failed>)
+      if (heat != T(0)) p.template get<field::failed>()[i] = std::min(p.template get<field::failed>()[i], T(1)); // no longer settled
+    return {gain, heat};
+  }
+
+  /// (1 - S S+)^m v_p of every particle, m > 1: the map to the nodes and back, m times.
+  void filter_velocities() {
+    for (int j = 1; j <= Transfer::filter_order; ++j) {
+      const bool last = j == Transfer::filter_order;
+      if (!last) clear(next_residual_);
+      sweep([&](auto& set, auto& range, update_report&) {
+        if (sleeps_on(set, range)) return;
+        const auto run = [&](auto& nodes) {
+          const auto one_map = [&](auto* to) {
+            chunks<wants::values>(set, range, [&](std::size_t begin, int n, const stencil_type& st) { apply_filter(set.columns, begin, n, st, nodes, to, j); });
+          };
+          if (last) one_map(static_cast<forces*>(nullptr));
+          else scatter(next_residual_, field_of(set), range, [&](auto& win) { one_map(win.node.data()); });
+        };
+        if (j == 1) gather(motion_, field_of(set), range, run);
+        else gather(residual_, field_of(set), range, run);
+      });
+      if (last) return;
+      complete(next_residual_, 0);
+      each_node([this](std::size_t i) {
+        for (int d = 0; d < dim; ++d)
+          if (sums_[i][0] > T(0)) next_residual_[i].set(d, next_residual_[i][d] / sums_[i][0]);
+      });
+      std::swap(residual_, next_residual_);
+    }
+  }
+  /// r_j = r_(j-1) - S S+ r_(j-1) for n particles; `nodes` hold S+ r_(j-1), and m r_j goes `to` the nodes of the next round.
+  template <class Columns, class Window>
+  void apply_filter(Columns& p, std::size_t begin, int n, const stencil_type& st, const Window& nodes, forces* to, int j) const {
+    constexpr int order = Transfer::filter_order;
+    const T* const mass = p.template get<field::mass>() + begin;
+    T* const loss = p.template get<field::filter_loss>() + begin;
+    const auto residual = columns_of<field::velocity_residual, dim>(p, begin), velocity = columns_of<field::velocity, dim>(p, begin);
+    const bool whole = order % 2 == 0 && j == order / 2, half = order % 2 == 1 && j == (order + 1) / 2;
+    for (int k = 0; k < n; ++k) {
+      T square_sum = 0, spread = 0;
+      for (std::size_t d = 0; d < dim; ++d) {
+        const T before = (j == 1 ? velocity : residual)[d][k];
+        T mean = 0;
+        for (int a = 0; a < stencil_type::nodes; ++a) {
+          const T u = nodes.node[static_cast<std::size_t>(st.base[k] + stencil_type::offset(a))][static_cast<int>(d)];
+          mean += st.value[a][k] * u;
+          spread += st.value[a][k] * square(before - u);
+        }
+        residual[d][k] = before - mean;
+        square_sum += square(before - mean);
+      }
+      if (whole) loss[k] = square_sum;
+      if (half) loss[k] = spread;
+      if (!to) continue;
+      const forces back = forces::make([&](int c) { return c < dim ? mass[k] * residual[static_cast<std::size_t>(c < dim ? c : 0)][k] : T(0); });
+      for (int a = 0; a < stencil_type::nodes; ++a) to[st.base[k] + stencil_type::offset(a)] += back * st.value[a][k];
+    }
   }
 
   /// APIC: velocity and affine field from the grid; what is lost on both ways becomes heat:
@@ -658,7 +937,7 @@ private:
       // sums relative to the old velocity: squares of differences, not of speeds
       const motion old = motion::make([&](int c) { return velocity[static_cast<std::size_t>(c % dim)][k]; });
       motion mean(T(0)), squares(T(0));
-      std::array<motion, dim> moment;
+      alignas(64) std::array<motion, dim> moment;
       for (auto& m : moment) m = motion(T(0));
       for (int a = 0; a < stencil_type::nodes; ++a) {
         const motion b = from[st.base[k] + stencil_type::offset(a)] - old, weighted = b * st.value[a][k];
@@ -733,6 +1012,11 @@ private:
                 const V c = load<V>(p.template get<field::affine_velocity>(e) + at);
                 store_first(select(beyond, -c, c), p.template get<field::affine_velocity>(e) + at, n);
               }
+        }
+        for (const auto& period : periods) {
+          if (period.axis() != static_cast<std::size_t>(d)) continue;
+          const V low(static_cast<T>(period.low() * h)), high(static_cast<T>(period.high() * h));
+          x = select(x < low, x + (high - low), select(x >= high, x - (high - low), x));
         }
         store_first(x, p.template get<field::position>(d) + at, n);
       }

@@ -8,21 +8,28 @@
 // step falls below its floor, the total energy leaves its bound, or the step cap is reached.
 #pragma once
 
+#include "bolide/concepts/grid.hpp"
 #include "bolide/concepts/observer.hpp"
 #include "bolide/concepts/scheme.hpp"
 #include "bolide/concepts/shape_function.hpp"
 #include "bolide/concepts/space.hpp"
 #include "bolide/concepts/transfer.hpp"
+#include "bolide/contact/frictional.hpp"
+#include "bolide/contact/single_field.hpp"
+#include "bolide/grid/uniform.hpp"
 #include "bolide/material/material.hpp"
 #include "bolide/particles/geometry.hpp"
 #include "bolide/scheme/musl.hpp"
 #include "bolide/scheme/usf.hpp"
+#include "bolide/scheme/usl.hpp"
 #include "bolide/solver/body.hpp"
 #include "bolide/solver/body_force.hpp"
 #include "bolide/solver/phases.hpp"
 #include "bolide/time/courant.hpp"
 #include "bolide/transfer/apic.hpp"
 #include "bolide/transfer/flip.hpp"
+#include "bolide/transfer/pic.hpp"
+#include "bolide/transfer/xpic.hpp"
 
 #include <chrono>
 #include <limits>
@@ -47,16 +54,27 @@ template <int Dim> struct leaving_box {
   vec<double, Dim> low, high;
 };
 
-template <class T, class Space, class Shape, class Transfer, class Scheme, class... Materials> class solver {
+template <class T, class Space, class Grid, class Shape, class Transfer, class Scheme, class Contact, class... Materials> class solver {
   static_assert(bolide::Space<Space>, "bolide: solver: the first argument is no space: see concepts/space.hpp");
+  static_assert(requires(const Grid g) { { g.spacing } -> std::convertible_to<double>; requires bolide::Grid<typename Grid::template map<Space::dim>>; },
+                "bolide: solver: the second argument is no grid: it must have spacing, map<Dim> and make<Dim>(): see grid/sparse.hpp");
   static_assert(bolide::ShapeFunction<Shape>, "bolide: solver: the third argument is no shape function: it must have support, offset, smooth, value, slope "
                                               "and curvature");
-  static_assert(bolide::Transfer<Transfer>, "bolide: solver: the fourth argument is no transfer: it must have particle_fields, affine, wants_smooth_shape and "
-                                            "name, and, if it is affine, heat and field::affine_velocity among its fields");
-  static_assert(bolide::Scheme<Scheme>, "bolide: solver: the fifth argument is no scheme: it must have particle_fields, stress_first, name and step(phases)");
+  static_assert(bolide::Contact<Contact>, "bolide: solver: no contact: it must have multi_field and name and, if it is multi-field, correction(u, n)");
+  static_assert(bolide::Transfer<Transfer>, "bolide: solver: the fourth argument is no transfer: it must have particle_fields, affine, wants_smooth_shape, "
+                                            "filter_order and name; if it filters, heat and filter(); if it is affine, heat and field::affine_velocity among its "
+                                            "fields");
+  static_assert(bolide::Scheme<Scheme>, "bolide: solver: the fifth argument is no scheme: it must have particle_fields, stress_first, maps_velocity_back, "
+                                        "wants_smooth_shape, name and step(phases)");
   static_assert(!Transfer::wants_smooth_shape || Shape::smooth,
                 "bolide: solver: APIC with linear shape functions is unsound (its affine field is amplified at nodes of tiny mass); take "
                 "shape::quadratic_bspline, or transfer::flip");
+  static_assert(!Transfer::affine || !Shape::smooth || requires { Shape::inertia; },
+                "bolide: solver: APIC divides by the inertia of the shape function, sum N (x_I - x)^2, and that of this shape is not constant (it gives no "
+                "`inertia`); take a B-spline, or transfer::flip");
+  static_assert(!Scheme::wants_smooth_shape || Shape::smooth,
+                "bolide: solver: USL with linear shape functions is unsound (a particle is strained by nodes of tiny mass that it has just reached); take "
+                "scheme::musl, a smooth shape, or accept_unsound<scheme::usl>");
 
 public:
   static constexpr int dim = Space::dim;
@@ -66,22 +84,42 @@ public:
   using particle_fields = field_union_t<fields<field::mass, field::position, field::velocity, field::carrying_velocity>, typename Material::particle_fields,
                                         typename Transfer::particle_fields, typename Scheme::particle_fields>;
   template <class Material> using set_type = particle_set<T, Space, Shape, Material, particle_fields<Material>>;
-  using phases_type = phases<T, Space, Shape, Transfer, Scheme, set_type<Materials>...>;
+  using phases_type = phases<T, Space, Grid, Shape, Transfer, Scheme, Contact, set_type<Materials>...>;
 
   template <class... Bodies>
-  solver(Space, grid::sparse g, Shape, Transfer transfer, Scheme scheme, controls<T> c, const Bodies&... bodies)
-      : controls_(c), scheme_(scheme), phases_(g.spacing, checked(c), transfer, seed_all(g.spacing, bodies...)) {
+  solver(Space, Grid g, Shape, Transfer transfer, Scheme scheme, controls<T> c, const Bodies&... bodies)
+      : solver(Space{}, g, Shape{}, transfer, scheme, Contact{}, c, bodies...) {}
+  template <class... Bodies>
+  solver(Space, Grid g, Shape, Transfer transfer, Scheme scheme, Contact contact, controls<T> c, const Bodies&... bodies)
+      : controls_(c), scheme_(scheme), phases_(g, checked(c), transfer, contact, seed_all(g.spacing, bodies...)) {
+    (check_spacing(g.spacing, bodies.name, bodies.spacing), ...);
+    if constexpr (requires { transfer.validate(); }) transfer.validate();
     if constexpr (Space::hoop) add(grid::mirror{0, 0.0, true});
     require(particle_count() > 0, "number of particles", 0, "positive (no lattice point lies inside a body)");
   }
 
-  /// Adds a mirror plane (symmetry plane, slip wall). Before the first step.
+  /// Adds a mirror plane (symmetry plane, slip or sticking wall). Before the first step.
   solver& add(const grid::mirror& m) {
     const grid::mirror_nodes<dim> plane(m, phases_.h);
     for (const auto& other : phases_.mirrors) // closer ones would have image nodes of images
       require(other.axis() != plane.axis() || std::abs(other.line() - plane.line()) >= 3, "distance of two mirrors of one axis",
               std::abs(other.line() - plane.line()) * phases_.h, "at least three cells", "m");
     phases_.mirrors.push_back(plane);
+    return *this;
+  }
+  /// Makes an axis periodic. Before the first step.
+  solver& add(const grid::periodic& p) {
+    const grid::periodic_nodes<dim> period(p, phases_.h);
+    require(!(Space::hoop && p.axis == 0), "periodic axis", p.axis, "not the radius of r-z");
+    for (const auto& other : phases_.periods) require(other.axis() != period.axis(), "periodic axis", p.axis, "periodic once");
+    for (const auto& m : phases_.mirrors) require(m.axis() != period.axis(), "periodic axis", p.axis, "without mirrors");
+    phases_.periods.push_back(period);
+    return *this;
+  }
+  /// Adds a rigid wall that moves along an axis. Before the first step.
+  solver& add(const grid::moving_wall& w) {
+    w.validate(dim);
+    phases_.walls.push_back(w);
     return *this;
   }
   /// Lets material leave through a box (free outflow). Before the first step.
@@ -191,6 +229,9 @@ public:
   /// What this simulation is composed of: whatever else the next steps depend on beside archive() (concepts/archive.hpp).
   template <class A> void describe(A& a) const {
     a.same("space", Space::name);
+    a.same("grid", Grid::name);
+    a.same("contact", Contact::name);
+    if constexpr (requires { phases_.contact.friction; }) a.same("friction", phases_.contact.friction, "");
     a.same("shape", Shape::name);
     a.same("transfer", Transfer::name);
     a.same("scheme", Scheme::name);
@@ -205,7 +246,18 @@ public:
     a.same("mirrors", static_cast<double>(phases_.mirrors.size()), "");
     for (std::size_t k = 0; k < phases_.mirrors.size(); ++k) {
       const auto& m = phases_.mirrors[k];
-      a.same("mirror " + std::to_string(k), "axis " + std::to_string(m.axis()) + " at node " + std::to_string(m.line()) + ", material " + (m.material_above() ? "above" : "below"));
+      a.same("mirror " + std::to_string(k), "axis " + std::to_string(m.axis()) + " at node " + std::to_string(m.line()) + ", material " + (m.material_above() ? "above" : "below") + (m.sticks() ? ", sticking" : ""));
+    }
+    a.same("periods", static_cast<double>(phases_.periods.size()), "");
+    for (std::size_t k = 0; k < phases_.periods.size(); ++k) {
+      const auto& p = phases_.periods[k];
+      a.same("period " + std::to_string(k), "axis " + std::to_string(p.axis()) + " from node " + std::to_string(p.low()) + " to " + std::to_string(p.high()));
+    }
+    a.same("moving walls", static_cast<double>(phases_.walls.size()), "");
+    for (std::size_t k = 0; k < phases_.walls.size(); ++k) {
+      const auto& w = phases_.walls[k];
+      a.same("moving wall " + std::to_string(k), "axis " + std::to_string(w.axis) + " at " + to_text(w.position) + " m with " + to_text(w.velocity) + " m/s, material " +
+                                                     (w.material_above ? "above" : "below") + (w.stick ? ", sticking" : ""));
     }
     std::string box("none");
     if (box_) {
@@ -260,6 +312,13 @@ private:
     return numbers;
   }
 
+  /// Wide particles leave gaps: with one per cell material that is stretched at all has nodes between its particles that see none of them.
+  void check_spacing(double h, const std::string& name, double spacing) const {
+    if (!controls_.accept_one_particle_per_cell)
+      require(spacing <= 0.75 * h * (1 + 1e-9), "particle spacing of body " + name, spacing, "at most 0.75 of the grid spacing " + to_text(h) +
+              " m: fewer particles per cell fracture numerically (controls: accept_one_particle_per_cell)", "m");
+    if constexpr (shape_wants_size<Shape>) require(spacing <= h * (1 + 1e-9), "particle spacing of body " + name, spacing, "at most the grid spacing with this shape", "m");
+  }
   static T checked(const controls<T>& c) {
     c.validate();
     return static_cast<T>(c.courant);
@@ -267,11 +326,12 @@ private:
 
   template <class... B> static std::tuple<set_type<Materials>...> seed_all(double h, const B&... bodies) {
     std::uint32_t id = 0;
-    return std::tuple<set_type<Materials>...>{seed<Materials>(h, bodies, id)...}; // braces: in order
+    std::size_t number = 0;
+    return std::tuple<set_type<Materials>...>{seed<Materials>(h, bodies, id, number)...}; // braces: in order
   }
-  template <class Material, class Body> static set_type<Material> seed(double h, const Body& b, std::uint32_t& id) {
+  template <class Material, class Body> static set_type<Material> seed(double h, const Body& b, std::uint32_t& id, std::size_t& number) {
     static_assert(std::remove_cvref_t<decltype(b.geometry)>::dim == dim, "bolide: solver: the geometry of a body has another number of axes than the space");
-    set_type<Material> set{b.name, b.material, static_cast<T>(b.spacing / (2 * h)), 0, id, {}, {}, {}};
+    set_type<Material> set{b.name, b.material, static_cast<T>(b.spacing / (2 * h)), 0, id, number++, {}, {}, {}};
     set.geometric_mass = b.geometry.volume(Space::hoop) * b.state.density;
     auto& p = set.columns;
     std::mt19937_64 random(b.jitter.seed);
@@ -292,7 +352,7 @@ private:
 
   void start() {
     started_ = true;
-    phases_.skip_quiet = controls_.skip_quiet && phases_.body_forces.empty();
+    phases_.skip_quiet = controls_.skip_quiet && phases_.body_forces.empty() && phases_.periods.empty() && phases_.walls.empty();
 #if defined(_OPENMP)
     threads_ = controls_.threads > 0 ? controls_.threads : omp_get_max_threads();
     omp_set_num_threads(threads_);
@@ -422,7 +482,11 @@ private:
   }
 };
 
-template <class T, class Space, class Shape, class Transfer, class Scheme, class... Geometries, class... Materials>
-solver(Space, grid::sparse, Shape, Transfer, Scheme, controls<T>, body<Geometries, Materials>...) -> solver<T, Space, Shape, Transfer, Scheme, Materials...>;
+template <class T, class Space, class Grid, class Shape, class Transfer, class Scheme, class... Geometries, class... Materials>
+solver(Space, Grid, Shape, Transfer, Scheme, controls<T>, body<Geometries, Materials>...)
+    -> solver<T, Space, Grid, Shape, Transfer, Scheme, contact::single_field, Materials...>;
+template <class T, class Space, class Grid, class Shape, class Transfer, class Scheme, class Contact, class... Geometries, class... Materials>
+solver(Space, Grid, Shape, Transfer, Scheme, Contact, controls<T>, body<Geometries, Materials>...)
+    -> solver<T, Space, Grid, Shape, Transfer, Scheme, Contact, Materials...>;
 
 } // namespace bolide

@@ -8,6 +8,7 @@
 // N'' = 0 for linear shapes.
 #pragma once
 
+#include "bolide/concepts/shape_function.hpp"
 #include "bolide/core/field.hpp"
 #include "bolide/core/math.hpp"
 #include "bolide/grid/sparse.hpp"
@@ -56,7 +57,8 @@ template <class T, class Space, class Shape> struct stencil {
   /// node that hardly sees the particle must not take a force without mass. What is raised is taken from the nodes of negative N''.
   template <class V> static BOLIDE_INLINE void mend(V f, const V* weight, T half_size, V* change) {
     V curvature[support], raised(T(0)), wanted(T(0));
-    Shape::curvature(f, curvature);
+    if constexpr (shape_wants_size<Shape>) Shape::curvature(f, curvature, half_size);
+    else Shape::curvature(f, curvature);
     const V factor(T(0.5) * half_size * half_size), zero(T(0));
     for (int a = 0; a < support; ++a) {
       const V whole = factor * max(curvature[a], zero);
@@ -83,9 +85,11 @@ private:
       const V first = clip(floor(cells - T(Shape::offset)), V(T(origin[d] + touched.low[d])), V(T(origin[d] + touched.high[d] - support + 1)));
       const V f = cells - first;
       store(f, from_first[d] + k);
-      Shape::value(f, weight[d]);
+      if constexpr (shape_wants_size<Shape>) Shape::value(f, weight[d], half_size);
+      else Shape::value(f, weight[d]);
       if constexpr (Wanted != wants::values) {
-        Shape::slope(f, slope[d]);
+        if constexpr (shape_wants_size<Shape>) Shape::slope(f, slope[d], half_size);
+        else Shape::slope(f, slope[d]);
         for (int a = 0; a < support; ++a) slope[d][a] = slope[d][a] * inverse_h;
         if constexpr (Space::hoop)
           if (d == 0) {

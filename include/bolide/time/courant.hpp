@@ -17,6 +17,7 @@ template <class T = double> struct controls {
   double dt_floor = 1e-6;        // least step over the first one: below it the run stops with a message
   double energy_bound = 0.5;     // largest |total energy change| over the initial energy
   long step_cap = 10'000'000;
+  bool accept_one_particle_per_cell = false; // material seeded so wide fractures numerically: refused unless asked for
   bool skip_quiet = true;        // leave out particles at rest and without stress: the same answer for less work
   int threads = 1;               // 0: as many as the machine has; on a machine that is busy with other work threads wait for each other
 

@@ -16,6 +16,7 @@ struct apic {
   using particle_fields = fields<field::affine_velocity>;
   static constexpr bool affine = true;
   static constexpr bool wants_smooth_shape = true;
+  static constexpr int filter_order = 0;
   static constexpr const char* name = "apic";
 
   double heat = 1; // fraction of the transfer loss that is returned as heat

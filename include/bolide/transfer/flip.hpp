@@ -14,6 +14,7 @@ struct flip {
   using particle_fields = fields<>;
   static constexpr bool affine = false;            // does a particle carry a velocity gradient?
   static constexpr bool wants_smooth_shape = false;
+  static constexpr int filter_order = 0;           // how often the map there and back is applied to what the grid does not see
   static constexpr const char* name = "flip";
 };
 } // namespace bolide::transfer

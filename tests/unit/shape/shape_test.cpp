@@ -2,6 +2,7 @@
 // Every shape function, on every lane type: a new model goes into `models` and inherits the whole suite.
 #include "bolide/concepts/shape_function.hpp"
 #include "bolide/shape/cubic_bspline.hpp"
+#include "bolide/shape/gimp.hpp"
 #include "bolide/shape/linear.hpp"
 #include "bolide/shape/quadratic_bspline.hpp"
 
@@ -48,6 +49,69 @@ template <class Shape, class V, class Visit> void scan(Visit&& visit) {
       }
       visit(static_cast<double>(lane(f, l)), a, b, c);
     }
+  }
+}
+
+/// GIMP of particles whose half size is 1/Count cells, as a shape without a size.
+template <int Count> struct gimp_of {
+  static constexpr int support = 3;
+  template <class V> static void value(V f, V* n) { shape::gimp::value(f, n, scalar_t<V>(1.0 / Count)); }
+  template <class V> static void slope(V f, V* n) { shape::gimp::slope(f, n, scalar_t<V>(1.0 / Count)); }
+};
+template <class Case> class GimpShape : public testing::Test {};
+using gimp_cases = testing::Types<on<gimp_of<2>, double>, on<gimp_of<3>, double>, on<gimp_of<4>, double>, on<gimp_of<8>, double>, on<gimp_of<4>, float>, on<gimp_of<4>, pack<double, 8>>,
+                                  on<gimp_of<4>, pack<float, 16>>>;
+TYPED_TEST_SUITE(GimpShape, gimp_cases);
+
+TYPED_TEST(GimpShape, IsTheTentAveragedOverTheParticle) {
+  using S = typename TypeParam::shape;
+  using V = typename TypeParam::lane_type;
+  double l = 0;
+  if constexpr (std::is_same_v<S, gimp_of<2>>) l = 0.5;
+  else if constexpr (std::is_same_v<S, gimp_of<3>>) l = 1.0 / 3;
+  else if constexpr (std::is_same_v<S, gimp_of<4>>) l = 0.25;
+  else l = 0.125;
+  const auto integral = [](double x) { // of the tent, from far left to x
+    if (x <= -1) return 0.0;
+    if (x <= 0) return (1 + x) * (1 + x) / 2;
+    return x < 1 ? 1 - (1 - x) * (1 - x) / 2 : 1.0;
+  };
+  const auto tent = [](double x) { return std::max(0.0, 1 - std::abs(x)); };
+  for (double x = 0.5; x <= 1.5; x += 1.0 / 512) {
+    V n[3], d[3];
+    S::value(test::ramp<V>(x, 0), n);
+    S::slope(test::ramp<V>(x, 0), d);
+    double sum = 0, at = 0, slopes = 0, slope_at = 0;
+    for (int i = 0; i < 3; ++i) {
+      const double value = static_cast<double>(lane(n[i], 0)), slope = static_cast<double>(lane(d[i], 0));
+      EXPECT_NEAR(value, (integral(x - i + l) - integral(x - i - l)) / (2 * l), test::epsilon<V>(8)) << x << " node " << i;
+      EXPECT_NEAR(slope, (tent(x - i + l) - tent(x - i - l)) / (2 * l), test::epsilon<V>(16)) << x << " node " << i;
+      EXPECT_GE(value, 0);
+      sum += value, at += i * value, slopes += slope, slope_at += i * slope;
+    }
+    EXPECT_NEAR(sum, 1, test::epsilon<V>(8));
+    EXPECT_NEAR(at, x, test::epsilon<V>(8));
+    EXPECT_NEAR(slopes, 0, test::epsilon<V>(16));
+    EXPECT_NEAR(slope_at, 1, test::epsilon<V>(16));
+  }
+}
+TEST(Gimp, OfOneParticlePerCellIsTheQuadraticBSpline) {
+  for (double x = 0.5; x <= 1.5; x += 1.0 / 128) {
+    double a[3], b[3];
+    gimp_of<2>::value(x, a);
+    shape::quadratic_bspline::value(x, b);
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(a[i], b[i], 1e-15);
+  }
+}
+/// The hoop weight N + (l^2/2) N'' is the mean over the particle's two ends.
+TEST(Gimp, HoopWeightIsTheMeanOverTheEnds) {
+  const double l = 0.25;
+  for (double x = 0.5; x <= 1.5; x += 1.0 / 128) {
+    double n[3], c[3];
+    shape::gimp::value(x, n, l);
+    shape::gimp::curvature(x, c, l);
+    for (int i = 0; i < 3; ++i)
+      EXPECT_NEAR(n[i] + l * l / 2 * c[i], (std::max(0.0, 1 - std::abs(x - i - l)) + std::max(0.0, 1 - std::abs(x - i + l))) / 2, 1e-15);
   }
 }
 
