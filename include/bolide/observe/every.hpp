@@ -38,6 +38,11 @@ public:
   }
   /// Does the end of the run belong to it? A list of times says all of them.
   bool with_end() const { return times_.empty(); }
+  /// For checkpoints (concepts/archive.hpp): where it stands, not what it is.
+  template <class A> void archive(A& a) {
+    a.value("next", next_);
+    a.value("taken", at_);
+  }
 
 private:
   double next() const { return times_.empty() ? next_ : at_ < times_.size() ? times_[at_] : std::numeric_limits<double>::infinity(); }
@@ -59,14 +64,21 @@ public:
   }
   /// What f said that it wrote.
   std::string last_output() const { return output_; }
+  /// For checkpoints (concepts/archive.hpp).
+  template <class A> void archive(A& a) {
+    a.value("called", called_);
+    a.value("last", last_);
+    a.value("next", next_);
+    a.value("output", output_);
+  }
 
 private:
   template <class Sim> void call(const Sim& sim) {
-    if constexpr (std::is_convertible_v<decltype(f_(sim)), std::filesystem::path>) output_ = std::filesystem::path(f_(sim)).string();
-    else f_(sim);
-    called_ = true;
+    called_ = true; // before the call, which may save a checkpoint
     last_ = sim.time();
     next_ = period_ * (std::floor(last_ / period_ * (1 + 1e-12)) + 1);
+    if constexpr (std::is_convertible_v<decltype(f_(sim)), std::filesystem::path>) output_ = std::filesystem::path(f_(sim)).string();
+    else f_(sim);
   }
   double period_, next_ = 0, last_ = 0;
   bool called_ = false;

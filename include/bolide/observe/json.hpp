@@ -49,6 +49,11 @@ class json_value {
     members_.emplace_back("", std::move(x));
   }
 
+  /// Takes over the members of another object.
+  void merge(const json_value& other) {
+    for (const auto& [name, value] : other.members_) (*this)[name] = value;
+  }
+
   /// Two blanks a level, a list of plain values on one line.
   std::string text(int level = 0) const {
     if (kind_ == kind::plain) return text_;

@@ -122,9 +122,7 @@ class vtk_series {
       : folder_(std::move(folder)), name_(std::move(name)), options_(std::move(options)) {}
 
   void write(const snapshot& s) {
-    char number[32];
-    std::snprintf(number, sizeof number, "_%04zu.vtu", frames_.size());
-    const std::string file = name_ + number;
+    const std::string file = file_name(frames_.size());
     write_vtu(folder_ / file, s, options_);
     frames_.emplace_back(s.time, file);
     write_whole_file(collection(), collection_content());
@@ -132,8 +130,23 @@ class vtk_series {
 
   std::filesystem::path collection() const { return folder_ / (name_ + ".pvd"); }
   std::size_t frames() const { return frames_.size(); }
+  /// For checkpoints (concepts/archive.hpp): the numbering goes on; a frame that was written after the checkpoint is written again.
+  template <class A> void archive(A& a) {
+    std::vector<double> times;
+    for (const auto& f : frames_) times.push_back(f.first);
+    a.value("times", times);
+    frames_.clear();
+    for (const double t : times) frames_.emplace_back(t, file_name(frames_.size()));
+  }
+  /// The file of the last frame; empty: none is written yet.
+  std::filesystem::path last_frame() const { return frames_.empty() ? std::filesystem::path() : folder_ / frames_.back().second; }
 
  private:
+  std::string file_name(std::size_t frame) const {
+    char number[32];
+    std::snprintf(number, sizeof number, "_%04zu.vtu", frame);
+    return name_ + number;
+  }
   std::string collection_content() const {
     std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
     for (const auto& [time, file] : frames_)

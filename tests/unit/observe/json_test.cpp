@@ -39,5 +39,13 @@ TEST(json, objects_keep_their_order_and_lists_their_shape) {
   EXPECT_EQ(j.text(), "{\n  \"b\": 2.5,\n  \"a\": {\n    \"inner\": \"x\"\n  },\n  \"list\": [1, 2, 3],\n  \"none\": [],\n  \"rows\": [\n    {\n      \"n\": 1\n    }\n  ]\n}");
 }
 
+TEST(json, merge_adds_and_replaces) {
+  json_value j, more;
+  j["a"] = 1, j["b"] = 2, more["b"] = 3, more["c"] = true;
+  j.merge(more);
+  j.merge(json_value());
+  EXPECT_EQ(j.text(), "{\n  \"a\": 1,\n  \"b\": 3,\n  \"c\": true\n}");
+}
+
 } // namespace
 } // namespace bolide::observe
