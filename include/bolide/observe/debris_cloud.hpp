@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The measures of a debris cloud, each with a written definition (docs/debris_cloud.md says why and what was rejected).
 //
-// The flight is along +z, the last component of the positions; r is the first (in 3-D hypot(x, y)). All lengths are mass quantiles:
+// The flight is along +z, the last component of the positions; r is the first, in 3-D hypot(x, y) about the axis x = y = 0. All lengths are mass quantiles:
 // the single fastest particles of a run are no measure of anything. What lies beyond the quantiles is reported as outliers, not
 // dropped silently. Masses in an axisymmetric snapshot are those of rings, so a mass fraction is one of the whole cloud. A measure
 // that the snapshot cannot give (no column, nothing downstream) is NaN.
@@ -110,12 +110,27 @@ struct debris_cloud {
   std::vector<measure> rows() const;
 };
 
+namespace detail {
+/// Radius and radial velocity of a particle: of (r, z) the first component, of (x, y, z) those about the z axis.
+struct about_axis {
+  const column &x, &v;
+  explicit about_axis(const snapshot& s) : x(s.at("position")), v(s.at("velocity")) {}
+  double radius(std::size_t i) const { return x.components == 3 ? std::hypot(x(i, 0), x(i, 1)) : std::fabs(x(i, 0)); }
+  double radial_velocity(std::size_t i) const {
+    if (x.components < 3) return v(i, 0);
+    const double r = radius(i);
+    return r > 0 ? (x(i, 0) * v(i, 0) + x(i, 1) * v(i, 1)) / r : 0.0;
+  }
+};
+} // namespace detail
+
 /// The outer edge of the downstream material along z: the 99 % mass quantile of the radius in slices of `slice` metres from the plate's
 /// rear face to the front. A slice with less than 1e-5 of the downstream mass has no point.
 inline std::vector<std::pair<double, double>> outline(const snapshot& s, const impact_scene& scene, double slice = 0.5e-3) {
   require(slice > 0, "slice of the outline", slice, "more than 0", "m");
   scene.validate();
   const column &x = s.at("position"), &v = s.at("velocity"), &mass = s.at("mass");
+  const detail::about_axis about(s);
   const int axial = s.dimension - 1;
   weighted_samples along;
   std::vector<std::size_t> cloud;
@@ -131,7 +146,7 @@ inline std::vector<std::pair<double, double>> outline(const snapshot& s, const i
   std::vector<weighted_samples> radius(slices);
   for (const std::size_t i : cloud) {
     const auto k = static_cast<std::size_t>((x(i, axial) - scene.plate_rear_z) / slice);
-    if (k < slices) radius[k].add(std::fabs(x(i, 0)), mass(i));
+    if (k < slices) radius[k].add(about.radius(i), mass(i));
   }
   for (std::size_t k = 0; k < slices; ++k)
     if (radius[k].weight() >= 1e-5 * total)
@@ -144,17 +159,30 @@ inline std::vector<std::pair<double, double>> outline(const snapshot& s, const i
 /// Coming from outside, the plate ends with the last annulus above half of it; the hole's radius is put where the material of that
 /// annulus and the next one inwards would fill up: pi (R^2 - r_hole^2) areal density = its mass (a thickened lip counts as full).
 /// Stray particles further in do not count. NaN: no hole. Good to half a spacing in radius.
+/// 3-D: the same with the annuli about the z axis that lie within a rectangular plate; a half or a quarter of the scene gives the same diameter.
 inline double hole_diameter_of(const snapshot& s, const impact_scene& scene) {
   const column &x = s.at("position"), &v = s.at("velocity"), &mass = s.at("mass");
-  if (!s.axisymmetric || s.body.size() != s.size()) return debris_cloud::nan;
+  if (!(s.axisymmetric || s.dimension == 3) || s.body.size() != s.size()) return debris_cloud::nan;
+  const detail::about_axis about(s);
+  const int axial = s.dimension - 1;
   const double step = std::max(0.1 * scene.thickness(), 2 * s.spacing), slow = debris_cloud::moving * scene.impact_speed;
   std::vector<double> in_annulus;
+  double reach[2] = {0, 0}; // of the plate along x and y
   for (std::size_t i = 0; i < s.size(); ++i) {
-    if (s.body[i] != scene.plate || !(std::hypot(v(i, 0), v(i, 1)) < slow)) continue;
-    if (!(x(i, 1) >= scene.plate_front_z && x(i, 1) <= scene.plate_rear_z) || !(x(i, 0) >= 0 && x(i, 0) < 1e5 * step)) continue;
-    const auto k = static_cast<std::size_t>(x(i, 0) / step);
+    double speed2 = 0;
+    for (int d = 0; d < s.dimension; ++d) speed2 += v(i, d) * v(i, d);
+    if (s.body[i] != scene.plate || !(speed2 < slow * slow)) continue;
+    if (!(x(i, axial) >= scene.plate_front_z && x(i, axial) <= scene.plate_rear_z)) continue;
+    const double r = s.axisymmetric ? x(i, 0) : about.radius(i);
+    if (!(r >= 0 && r < 1e5 * step)) continue;
+    const auto k = static_cast<std::size_t>(r / step);
     if (k >= in_annulus.size()) in_annulus.resize(k + 1, 0.0);
     in_annulus[k] += mass(i);
+    for (int d = 0; d < axial; ++d) reach[d] = std::max(reach[d], std::fabs(x(i, d)));
+  }
+  if (s.dimension == 3) { // whole annuli only: the corners of a rectangular plate would look like less material
+    const auto whole = static_cast<std::size_t>((std::min(reach[0], reach[1]) + s.spacing / 2) / step);
+    if (whole < in_annulus.size()) in_annulus.resize(whole);
   }
   const auto area = [step](std::size_t k) { return 3.14159265358979323846 * step * step * (2 * static_cast<double>(k) + 1); };
   weighted_samples undisturbed;
@@ -176,13 +204,13 @@ struct cloud_samples {
   std::vector<std::size_t> downstream, ejecta;
 };
 
-/// Mass median of component k of the velocity over those particles for which `chosen` holds.
-template <class Chosen>
-double median_velocity(const snapshot& s, const std::vector<std::size_t>& among, int component, Chosen&& chosen) {
-  const column &v = s.at("velocity"), &mass = s.at("mass");
+/// Mass median of velocity(i) over those particles for which `chosen` holds.
+template <class Velocity, class Chosen>
+double median_velocity(const snapshot& s, const std::vector<std::size_t>& among, Velocity&& velocity, Chosen&& chosen) {
+  const column& mass = s.at("mass");
   weighted_samples samples;
   for (const std::size_t i : among)
-    if (chosen(i)) samples.add(v(i, component), mass(i));
+    if (chosen(i)) samples.add(velocity(i), mass(i));
   return samples.median();
 }
 
@@ -236,7 +264,8 @@ inline debris_cloud::debris_cloud(const snapshot& s, const impact_scene& scene) 
   const int axial = s.dimension - 1;
   const bool bodies = s.body.size() == s.size();
   const double threshold = moving * scene.impact_speed;
-  const auto radius = [&](std::size_t i) { return axial == 2 ? std::hypot(x(i, 0), x(i, 1)) : std::fabs(x(i, 0)); };
+  const detail::about_axis about(s);
+  const auto radius = [&](std::size_t i) { return about.radius(i); };
   detail::cloud_samples c;
   double molten_projectile = 0;
   if (where) mass_by_region.fill(0);
@@ -290,9 +319,11 @@ inline debris_cloud::debris_cloud(const snapshot& s, const impact_scene& scene) 
   bubble_start_z = start, widest_z = widest, bubble_length = front_z - start;
 
   const double nose = c.z.quantile(0.99), limb = c.r.quantile(0.99), tail = c.projectile_z.quantile(0.01);
-  front_speed = detail::median_velocity(s, c.downstream, axial, [&](std::size_t i) { return x(i, axial) >= nose; });
-  expansion_speed = detail::median_velocity(s, c.downstream, 0, [&](std::size_t i) { return radius(i) >= limb; });
-  rear_speed = detail::median_velocity(s, c.downstream, axial, [&](std::size_t i) {
+  const auto along = [&](std::size_t i) { return v(i, axial); };
+  const auto outwards = [&](std::size_t i) { return about.radial_velocity(i); };
+  front_speed = detail::median_velocity(s, c.downstream, along, [&](std::size_t i) { return x(i, axial) >= nose; });
+  expansion_speed = detail::median_velocity(s, c.downstream, outwards, [&](std::size_t i) { return radius(i) >= limb; });
+  rear_speed = detail::median_velocity(s, c.downstream, along, [&](std::size_t i) {
     return bodies && s.body[i] == scene.projectile && x(i, axial) <= tail;
   });
 

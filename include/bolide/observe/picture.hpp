@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Pictures of a debris cloud: the particles of a snapshot, drawn for a paper.
 //
-// An axisymmetric snapshot is a section through the axis: z to the right, r up and, mirrored, down. A plane one shows x and y.
+// An axisymmetric snapshot is a section through the axis: z to the right, r up and, mirrored, down. A plane one shows x and y. Of a
+// three-dimensional one draw a slice or its mean about the axis (observe/slice.hpp).
 // Each particle is a disc; a point of the picture has the colour of the particle whose middle is nearest, if it lies in that one's
 // disc. So dense material is solid and shows its true mixture (no particle hides another because it was drawn later), while a lone
 // fragment stays a visible dot: the discs have the radius 0.75 spacings, but at least `least_radius` pixels.
@@ -96,7 +97,7 @@ struct section {
   int across, up;
   explicit section(const snapshot& s) : position(s.at("position")), across(s.axisymmetric ? 1 : 0), up(s.axisymmetric ? 0 : 1) {
     require(s.dimension == 2 && position.components == 2, "dimension of the snapshot to draw", s.dimension,
-            "2: a picture shows a section, plane or through the axis");
+            "2: a picture shows a section, plane or through the axis (of a 3-D snapshot take slice() or around_axis())");
   }
   double horizontal(std::size_t i) const { return position(i, across); }
   double vertical(std::size_t i) const { return position(i, up); }
@@ -321,7 +322,9 @@ inline image draw_panel(const panel& p, const window& space, const picture_style
   if (s.axisymmetric) draw_symmetry_axis(on, f, text);
   detail::draw_particles(on, f, s, colors, style.least_radius);
   for (const curve& c : p.curves) detail::draw_curve(on, f, c, s.axisymmetric, std::max(1.5, text / 7));
-  draw_axes(on, f, s.axisymmetric ? axis_labels{"z (mm)", "r (mm)", true} : axis_labels{"x (mm)", "y (mm)", false}, text);
+  const std::string axes = s.axis_letters();
+  const axis_labels plane{axes.substr(0, 1) + " (mm)", axes.substr(1, 1) + " (mm)", false};
+  draw_axes(on, f, s.axisymmetric ? axis_labels{"z (mm)", "r (mm)", true} : plane, text);
   draw_text(on, f.x, f.y - 1.1 * text, p.title, 1.15 * text, ink);
   draw_text(on, f.x + f.width, f.y - 1.1 * text, detail::time_text(s.time), 1.15 * text, ink, anchor::end);
 
