@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-# Install rules and package files: find_package(bolide [COMPONENTS gsl png]) gives the same targets as add_subdirectory.
+# Install rules and package files: find_package(bolide [COMPONENTS gsl png hdf5]) gives the same targets as add_subdirectory.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(bolide_package_dir ${CMAKE_INSTALL_DATADIR}/cmake/bolide) # no compiled code: the same for every architecture
-foreach(target bolide bolide_gsl bolide_png)
+foreach(target bolide bolide_gsl bolide_png bolide_hdf5)
   if(NOT TARGET ${target})
     continue()
   endif()
@@ -22,5 +22,6 @@ endif()
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/bolideConfig.cmake.in ${PROJECT_BINARY_DIR}/bolideConfig.cmake
   INSTALL_DESTINATION ${bolide_package_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/bolideConfigVersion.cmake COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
-install(FILES ${PROJECT_BINARY_DIR}/bolideConfig.cmake ${PROJECT_BINARY_DIR}/bolideConfigVersion.cmake DESTINATION ${bolide_package_dir})
+install(FILES ${PROJECT_BINARY_DIR}/bolideConfig.cmake ${PROJECT_BINARY_DIR}/bolideConfigVersion.cmake ${PROJECT_SOURCE_DIR}/cmake/hdf5.cmake
+  DESTINATION ${bolide_package_dir})
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

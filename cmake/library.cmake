@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: MIT
-# The interface targets. Headers are globbed and sorted into file sets: gsl/ belongs to bolide::gsl, png/ to bolide::png, the rest to
-# bolide::bolide. `cmake --build DIR --target all_verify_interface_header_sets` compiles each header alone with its own target's needs.
+# The interface targets. Headers are globbed and sorted into file sets: gsl/ belongs to bolide::gsl, png/ to bolide::png, hdf5/ to bolide::hdf5,
+# the rest to bolide::bolide. `cmake --build DIR --target all_verify_interface_header_sets` compiles each header alone with its own target's needs.
 
 file(GLOB_RECURSE bolide_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/bolide/*.hpp)
 set(bolide_gsl_headers ${bolide_headers})
 set(bolide_png_headers ${bolide_headers})
+set(bolide_hdf5_headers ${bolide_headers})
 list(FILTER bolide_gsl_headers INCLUDE REGEX "/include/bolide/gsl/")
 list(FILTER bolide_png_headers INCLUDE REGEX "/include/bolide/png/")
-list(FILTER bolide_headers EXCLUDE REGEX "/include/bolide/(gsl|png)/")
+list(FILTER bolide_hdf5_headers INCLUDE REGEX "/include/bolide/hdf5/")
+list(FILTER bolide_headers EXCLUDE REGEX "/include/bolide/(gsl|png|hdf5)/")
 
 # Adds interface target bolide_<name> with alias and export name bolide::<name>.
 function(bolide_interface target export_name)
@@ -53,5 +55,16 @@ if(BOLIDE_PNG)
     target_link_libraries(bolide_png INTERFACE bolide PNG::PNG)
   else()
     message(STATUS "bolide: libpng not found: no bolide::png")
+  endif()
+endif()
+
+option(BOLIDE_HDF5 "Offer bolide::hdf5 where the HDF5 library is found" ON)
+if(BOLIDE_HDF5)
+  include(${CMAKE_CURRENT_LIST_DIR}/hdf5.cmake)
+  if(HDF5_FOUND)
+    bolide_interface(bolide_hdf5 hdf5 ${bolide_hdf5_headers})
+    target_link_libraries(bolide_hdf5 INTERFACE bolide hdf5::hdf5)
+  else()
+    message(STATUS "bolide: HDF5 not found: no bolide::hdf5, no checkpoints")
   endif()
 endif()

@@ -25,9 +25,9 @@ bolide_missing() {
   command -v cmake >/dev/null || echo cmake
   command -v ninja >/dev/null || echo ninja-build
   local headers=(libeigen3-dev:Eigen/Core libgsl-dev:gsl/gsl_version.h libpng-dev:png.h libcli11-dev:CLI/CLI.hpp
-    nlohmann-json3-dev:nlohmann/json.hpp libgtest-dev:gtest/gtest.h libbenchmark-dev:benchmark/benchmark.h)
+    nlohmann-json3-dev:nlohmann/json.hpp libhdf5-dev:hdf5.h libgtest-dev:gtest/gtest.h libbenchmark-dev:benchmark/benchmark.h)
   probe=$(for pair in "${headers[@]}"; do printf '#if __has_include(<%s>)\n<present> %s\n#endif\n' "${pair#*:}" "${pair%%:*}"; done)
-  present=$(printf '%s\n' "$probe" | g++ -std=c++20 -E -P -x c++ -I/usr/include/eigen3 -I/usr/local/include/eigen3 - 2>/dev/null)
+  present=$(printf '%s\n' "$probe" | g++ -std=c++20 -E -P -x c++ -I/usr/include/eigen3 -I/usr/local/include/eigen3 -I/usr/include/hdf5/serial - 2>/dev/null)
   for pair in "${headers[@]}"; do
     grep -q -F -- "<present> ${pair%%:*}" <<<"$present" || echo "${pair%%:*}"
   done

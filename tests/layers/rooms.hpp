@@ -46,6 +46,7 @@ inline std::vector<room> make_house() {
   house.push_back({"conformance", 5, {"analysis"}});
   house.push_back({"observe", 6, {"solver"}});
   house.push_back({"png", 7, {"observe"}});
+  house.push_back({"hdf5", 7, {"observe"}});
   return house;
 }
 inline const std::vector<room> house = make_house();
@@ -111,9 +112,9 @@ inline std::vector<header> read_tree(const std::filesystem::path& folder) {
 inline std::string outside_violation(const std::string& room, const std::string& target) {
   static const std::set<std::string> heavy = {"iostream", "fstream", "functional", "regex", "ranges"};
   static const std::set<std::string> edge_rooms = {"observe", "analysis", "conformance", "potential", "png"};
-  static const std::map<std::string, std::string> owner = {{"Eigen/", "core"}, {"unsupported/Eigen/", "core"}, {"gsl/", "gsl"}, {"png.h", "png"}};
+  static const std::map<std::string, std::string> owner = {{"Eigen/", "core"}, {"unsupported/Eigen/", "core"}, {"gsl/", "gsl"}, {"png.h", "png"}, {"hdf5.h", "hdf5"}};
   static const std::set<std::string> compiler_headers = {"immintrin.h", "arm_neon.h"}; // core
-  static const std::set<std::string> system_headers = {"unistd.h", "sys/ioctl.h"};              // observe: is it a terminal, how wide
+  static const std::set<std::string> system_headers = {"unistd.h", "sys/ioctl.h", "fcntl.h"};   // observe: is it a terminal, how wide; files flushed to the disk
   for (const auto& [prefix, home] : owner)
     if (target.rfind(prefix, 0) == 0) return room == home ? "" : "<" + target + "> belongs to room " + home + " alone";
   if (heavy.count(target)) return edge_rooms.count(room) ? "" : "<" + target + "> only in observe, analysis, conformance, potential and png: it is slow to parse";
@@ -143,7 +144,7 @@ inline std::vector<std::string> violations(const std::vector<header>& headers) {
       if (!known.count(line.target)) say("\"" + line.target + "\" is no header of the library (write \"bolide/room/name.hpp\")");
       else if (line.target == "bolide/bolide.hpp") say("the umbrella is for users, no library header includes it");
       else if (h.room.empty()) { // the umbrella sees every room but those of optional targets
-        if (target_room == "gsl" || target_room == "png") say("room " + target_room + " is an optional target, the umbrella leaves it out");
+        if (target_room == "gsl" || target_room == "png" || target_room == "hdf5") say("room " + target_room + " is an optional target, the umbrella leaves it out");
       } else if (find_room(h.room) && find_room(target_room) && !may_include(h.room, target_room)) {
         const bool up = find_room(target_room)->floor > find_room(h.room)->floor;
         say("room " + h.room + " must not include room " + target_room + ": the arrow runs " + (up ? "up" : "sideways"));
@@ -263,7 +264,7 @@ inline std::string picture(const std::vector<header>& headers) {
     for (const auto& to : targets)
       if (boxes.count(from) && boxes.count(to) && !implied(graph, from, to)) svg << arrow(boxes, boxes.at(from), boxes.at(to));
   for (const auto& [name, b] : boxes) {
-    const bool optional = name == "gsl" || name == "png";
+    const bool optional = name == "gsl" || name == "png" || name == "hdf5";
     svg << "<rect x=\"" << b.left << "\" y=\"" << b.top << "\" width=\"" << b.width << "\" height=\"" << box_height << "\" rx=\"5\" fill=\""
         << (optional ? "#fff4e0" : "#e8f0f8") << "\" stroke=\"#2c3e50\"" << (optional ? " stroke-dasharray=\"4 3\"" : "") << "/>"
         << "<text x=\"" << b.middle() << "\" y=\"" << b.top + 22 << "\" text-anchor=\"middle\" fill=\"#1b2733\">" << name << "</text>\n";

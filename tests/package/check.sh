@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # check.sh MODE BUILD_DIR COMPILER WORK_DIR: bolide as a user's project meets it.
 #   find_package       installs the build tree's package to a fresh prefix; a consumer finds it there, builds and runs
-#   components         the same with COMPONENTS gsl png, the consumer uses both
+#   components         the same with COMPONENTS gsl png hdf5, the consumer uses all
 #   wrong_component    a component that does not exist is refused with a sentence
 #   wrong_version      a version that is not this one is refused
 #   add_subdirectory   the source tree as a subdirectory: targets are there, tests, examples and warning flags are not
@@ -30,8 +30,8 @@ refused_with() {
 installed=(-DCMAKE_PREFIX_PATH="$work/prefix")
 case $mode in
   find_package) configure installed "${installed[@]}" && build_and_run ;;
-  components) configure installed "${installed[@]}" -DCONSUMER_COMPONENTS="gsl;png" && build_and_run ;;
-  wrong_component) refused_with "bolide has no component 'hdf5'" "${installed[@]}" -DCONSUMER_COMPONENTS=hdf5 ;;
+  components) configure installed "${installed[@]}" -DCONSUMER_COMPONENTS="gsl;png;hdf5" && build_and_run ;;
+  wrong_component) refused_with "bolide has no component 'netcdf'" "${installed[@]}" -DCONSUMER_COMPONENTS=netcdf ;;
   wrong_version) refused_with 'compatible with requested version "99.0"' "${installed[@]}" -DCONSUMER_VERSION=99.0 ;;
   add_subdirectory)
     configure subdirectory -DBOLIDE_SOURCE="$source_dir" && build_and_run

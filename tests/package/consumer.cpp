@@ -7,6 +7,9 @@
 #ifdef CONSUMER_PNG
 #include <png.h>
 #endif
+#ifdef CONSUMER_HDF5
+#include "bolide/hdf5/checkpoint.hpp"
+#endif
 
 int main() {
   const bolide::native_pack<double> x(2.0);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What a material answers to a fixed set of states: a fingerprint of its models and their parameters that needs to know neither.
 //
-// The constitutive update is run on single particles of densities from 800 to 20,000 kg/m3 and energies from 0 to 8 MJ/kg that are
-// compressed, stretched and sheared by some 2 %; every column of the result is recorded. Where the material can fail, the density at which
+// The constitutive update is run on single particles of densities from 800 to 20,000 kg/m3 and energies from 0 to 8 MJ/kg that have
+// yielded by 0.3 and are compressed, stretched and sheared by some 2 %; every column of the result is recorded. Where the material can fail, the density at which
 // stretched material starts to fail is found by bisection for two energies, and the energy at which it fails at one density. A changed
 // parameter of the equation of state, strength, viscosity or failure law moves some of these numbers, unless it acts in other states only
 // (a fracture strain that is never reached, say). The same numbers come out on every machine but for rounding.
@@ -64,6 +64,7 @@ private:
     set(field::material_volume{}, mass / at.density);
     set(field::energy{}, at.energy);
     set(field::sound_speed{}, 5000);
+    set(field::plastic_strain{}, 0.3);
     T gradient[Space::gradient_size][chunk_size] = {};
     for (int c = 0; c < Space::gradient_size; ++c) gradient[c][0] = static_cast<T>(at.strain / dt * (1 - 0.15 * c));
     update_report report;

@@ -49,6 +49,14 @@ class tracer {
   std::size_t rows() const { return table_ ? table_->rows() : 0; }
   /// For the message of a run that stops.
   std::string last_output() const { return rows() > 0 ? path_.string() : ""; }
+  /// For checkpoints (concepts/archive.hpp): the table goes on where it stood, without a row twice.
+  template <class A> void archive(A& a) {
+    if (table_ && !A::reading) from_ = table_->mark();
+    a.value("table", from_);
+    a.value("last_step", last_step_);
+    a.value("when", when_);
+    if (A::reading) table_.reset();
+  }
 
  private:
   template <class Solver> field_reader<Solver> reader(const Solver& sim) const {
@@ -64,7 +72,7 @@ class tracer {
             "below the number of particles, " + std::to_string(sim.particle_count()));
     std::vector<std::string> header{"time (s)", "step", "id", "body"};
     for (std::string& name : reader(sim).column_names()) header.push_back(std::move(name));
-    table_.emplace(path_, header);
+    table_.emplace(path_, header, from_);
   }
 
   template <class Solver> void sample(const Solver& sim) {
@@ -91,6 +99,7 @@ class tracer {
   schedule when_;
   selection chosen_;
   long last_step_ = -1;
+  csv_mark from_; // of a checkpoint
   std::optional<csv_table> table_; // opened at the first look, when the number of axes is known
 };
 
