@@ -128,6 +128,22 @@ TEST(Pairwise, TheTwoThatTheTableLeavesOutAndTheGas) {
   combine<0, 0, gas>();
 }
 
+TEST(Pairwise, WithoutTheWrapperAndInSinglePrecision) {
+  const material m{with_temperature<true>(std::get<0>(models)), std::get<5>(strengths), std::get<7>(laws)};
+  auto sim = small_impact<method<shape::linear, transfer::flip, scheme::usf, float>>(m);
+  sim.run(0.2 * us);
+  EXPECT_LT(std::abs(sim.energies().drift()), 1e-4);
+  EXPECT_LT(std::abs(sim.energies().residual()), 1e-4);
+  int some = 0;
+  sim.for_each_body([&](const auto& s) {
+    for (std::size_t i = 0; i < s.columns.size(); ++i) {
+      ASSERT_TRUE(std::isfinite(s.columns.template get<field::energy>()[i]));
+      some += s.columns.template get<field::lost_capacity>()[i] == 1;
+    }
+  });
+  EXPECT_GT(some, 20);
+}
+
 TEST(Pairwise, NoPairIsLeftOut) {
   for (auto* pairs : {&strength_law, &strength_model, &law_model}) pairs->clear();
   yielded = failed = softened = damaged = 0;
