@@ -37,7 +37,7 @@ TYPED_TEST(Limited, FactorsAreTheirFormulas) {
 }
 
 // ---- in a material ------------------------------------------------------------------------------------------------------------------------
-const double rho0 = 2785, cell = 1e-4;
+const double rho0 = 2785;
 template <class Space, class Viscosity> double q_of(const Viscosity& v, const typename Space::template gradient<double>& l) {
   using fluid = material<eos::mie_grueneisen, strength::none, failure::none, Viscosity>;
   test::material_point<fluid, Space> m(fluid{eos::mie_grueneisen{{.constant_gamma = true}}, {}, {}, v}, rho0, 0);
