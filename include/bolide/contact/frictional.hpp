@@ -5,8 +5,8 @@
 //   u.n <= 0   they part: nothing is done
 //   u.n >  0   the normal part is taken away, and of the tangential part at most friction times as much
 // friction = 0 is slip, infinity is stick. Equal and opposite on the two bodies: momentum is kept; what is lost is booked in the ledger's
-// channel `contact`. Normals are gradients of the bodies' volume, of one body less that of the other. On a node that three or more bodies
-// share they stick. Validity: contact is felt as soon as bodies share a node, up to a cell (linear) or two (B-splines) before they touch.
+// channel `contact`. The normal is the gradient of volume of the body that has more of it there. On a node that three or more bodies
+// share they stick. Validity: at corners the direction is right with linear shapes and off by some per cent with B-splines; contact is felt as soon as bodies share a node, up to a cell (linear) or two (B-splines) before they touch.
 // Cost: node values per body, one more sweep.
 #pragma once
 

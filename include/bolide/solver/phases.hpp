@@ -517,7 +517,7 @@ private:
   // ---- moving walls, and contact between bodies that keep a velocity of their own -------------------------------------------------
   bool constrained() const { return Contact::multi_field || !walls.empty(); }
 
-  /// Outward direction of every body: minus the gradient of its volume, sum V grad N.
+  /// Outward direction of every body: sum V grad N, which points from its particles to the node.
   void find_normals() {
     clear(normals_);
     clear(contact_forces_);
@@ -547,7 +547,7 @@ private:
         map::for_each_row(part.nodes, [&](int local, int count) {
           for (int n = local; n < local + count; ++n) {
             const double x = blocks.node_at(static_cast<std::size_t>(part.block), n)[static_cast<std::size_t>(w.axis)] * h;
-            if (!w.holds(x, time + static_cast<double>(dt))) continue;
+            if (!w.holds(x, time + static_cast<double>(dt), h)) continue;
             const std::size_t place = static_cast<std::size_t>(part.block) * map::nodes_per_block + static_cast<std::size_t>(n);
             for (std::size_t at = place; at < column_size(); at += node_count()) this->template push<Before>(w, at);
           }
@@ -579,13 +579,16 @@ private:
       }
     if (count < 2) return;
     for (auto& v : mean) v /= mass;
+    // out of the first body: the direction of the body that has more of a surface here, so that a corner does not tilt the plane it lies on
     std::array<T, dim> n{}, u{};
     T length = 0;
-    if (count == 2)
-      for (std::size_t d = 0; d < dim; ++d) {
-        n[d] = normals_[bodies[1]][static_cast<int>(d)] - normals_[bodies[0]][static_cast<int>(d)]; // out of the first body
-        length += n[d] * n[d];
-      }
+    for (std::size_t b = 0; b < 2 && count == 2; ++b) {
+      T squares = 0;
+      for (int d = 0; d < dim; ++d) squares += square(normals_[bodies[b]][d]);
+      if (!(squares > length)) continue;
+      length = squares;
+      for (int d = 0; d < dim; ++d) n[static_cast<std::size_t>(d)] = (b == 0 ? T(1) : T(-1)) * normals_[bodies[b]][d];
+    }
     const T inverse = length > T(0) ? T(1) / std::sqrt(length) : T(0);
     for (std::size_t b = 0; b < count; ++b) {
       for (std::size_t d = 0; d < dim; ++d) u[d] = this->template free_velocity<Before>(bodies[b], static_cast<int>(d)) - mean[d];

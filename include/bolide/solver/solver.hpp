@@ -176,15 +176,22 @@ public:
   }
 
   /// Runs to time `until` (s). Each observer is called as watch(*this) at the start, after every step, and with finish(*this) at the end.
+  /// When the run stops with an error, the message names the last_output() of the observers that have one, and stopped(*this, message) is
+  /// called of those that have it (concepts/observer.hpp).
   template <class... Observers> void run(double until, Observers&&... observers) {
     require(until >= 0 && until < 1e9, "end time", until, "non-negative and finite", "s");
     static_assert((bolide::Observer<std::remove_cvref_t<Observers>, solver> && ...),
                   "bolide: solver: run: an observer must have watch(solver) and finish(solver)");
-    if (!started_) start();
-    (observers.watch(*this), ...);
-    while (until - time_ > 1e-6 * dt()) { // what rounding (of a float step) leaves of the last step is no step
-      step(until - time_);
+    try {
+      if (!started_) start();
       (observers.watch(*this), ...);
+      while (until - time_ > 1e-6 * dt()) { // what rounding (of a float step) leaves of the last step is no step
+        step(until - time_);
+        (observers.watch(*this), ...);
+      }
+    } catch (const run_stopped& why) {
+      if constexpr (sizeof...(observers) == 0) throw;
+      else end_early(why.what(), observers...);
     }
     measure_energy();
     (observers.finish(*this), ...);
@@ -390,6 +397,28 @@ private:
     measure_energy();
     if (!(std::abs(phases_.energy.drift()) <= controls_.energy_bound))
       stop("the total energy changed by " + to_text(phases_.energy.drift()) + " of the initial energy, beyond the bound of " + to_text(controls_.energy_bound));
+  }
+  /// Leaves run() with the reason of the stop, what was written before, and a last word of the observers.
+  template <class... Observers> [[noreturn]] void end_early(std::string text, Observers&... observers) {
+    std::string outputs;
+    const auto add = [&](const auto& o) {
+      if constexpr (requires { std::string(o.last_output()); })
+        if (const std::string one = o.last_output(); !one.empty()) outputs.append(outputs.empty() ? "" : ", ").append(one);
+    };
+    (add(observers), ...);
+    text.append(". Last good output: ").append(outputs.empty() ? "none" : outputs);
+    const std::string message = text;
+    const auto tell = [&](auto& o) {
+      if constexpr (requires { o.stopped(*this, message); }) {
+        try {
+          o.stopped(*this, message);
+        } catch (const std::exception& failed) { // the cause of the stop must not be lost behind a full disk
+          text.append(". Besides: ").append(failed.what());
+        }
+      }
+    };
+    (tell(observers), ...);
+    throw run_stopped(text);
   }
   [[noreturn]] void stop(const std::string& why) {
     std::string text("bolide: stopped at step ");
