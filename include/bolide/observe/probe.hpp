@@ -58,6 +58,14 @@ template <int Dim> class probe {
   std::size_t rows() const { return table_ ? table_->rows() : 0; }
   /// For the message of a run that stops.
   std::string last_output() const { return rows() > 0 ? path_.string() : ""; }
+  /// For checkpoints (concepts/archive.hpp): the table goes on where it stood, without a row twice.
+  template <class A> void archive(A& a) {
+    if (table_ && !A::reading) from_ = table_->mark();
+    a.value("table", from_);
+    a.value("last_step", last_step_);
+    a.value("when", when_);
+    if (A::reading) table_.reset();
+  }
 
  private:
   /// What has come together at one point.
@@ -75,7 +83,7 @@ template <int Dim> class probe {
     const std::size_t before = header.size();
     for (std::string& name : field_reader<Solver>(sim, chosen_, strict_).column_names()) header.push_back(std::move(name));
     cells_ = header.size() - before;
-    table_.emplace(path_, header);
+    table_.emplace(path_, header, from_);
   }
 
   template <class Solver> void sample(const Solver& sim) {
@@ -153,6 +161,7 @@ template <int Dim> class probe {
   bool strict_;
   long last_step_ = -1;
   std::size_t cells_ = 0;
+  csv_mark from_; // of a checkpoint
   std::optional<csv_table> table_; // opened at the first look, when the fields are known
 };
 

@@ -117,6 +117,12 @@ class summary {
   template <class Solver> void finish(Solver& sim) { write(sim, "done", ""); }
   template <class Solver> void stopped(Solver& sim, const std::string& why) { write(sim, "stopped", why); }
   std::string last_output() const { return written_ ? path_.string() : ""; }
+  /// For checkpoints (concepts/archive.hpp).
+  template <class A> void archive(A& a) {
+    a.value("steps_by_cause", causes_);
+    a.value("counted", counted_);
+    a.value("when", when_);
+  }
 
   /// The content of the file.
   template <class Solver> json_value content(Solver& sim, const std::string& status, const std::string& message) const {

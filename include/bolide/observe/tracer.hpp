@@ -68,7 +68,7 @@ class tracer {
   }
 
   template <class Solver> void open(const Solver& sim) {
-    require(ids_.back() < sim.particle_count(), "particle of the tracer " + path_.string(), ids_.back(),
+    require(from_.rows > 0 || ids_.back() < sim.particle_count(), "particle of the tracer " + path_.string(), ids_.back(),
             "below the number of particles, " + std::to_string(sim.particle_count()));
     std::vector<std::string> header{"time (s)", "step", "id", "body"};
     for (std::string& name : reader(sim).column_names()) header.push_back(std::move(name));

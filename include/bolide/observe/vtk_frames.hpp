@@ -35,6 +35,12 @@ class vtk_frames {
   }
   std::size_t frames() const { return series_.frames(); }
   std::string last_output() const { return series_.last_frame().string(); }
+  /// For checkpoints (concepts/archive.hpp).
+  template <class A> void archive(A& a) {
+    a.value("series", series_);
+    a.value("when", when_);
+    a.value("last_step", last_step_);
+  }
 
  private:
   template <class Solver> void write(const Solver& sim) {
