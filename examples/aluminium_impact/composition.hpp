@@ -43,6 +43,11 @@ public:
   const bolide::ledger& energies() override { return solver_.energies(); }
   bolide::observe::snapshot snapshot() const override { return bolide::observe::take_snapshot(solver_); }
 
+#if defined(BOLIDE_HDF5)
+  void archive(bolide::hdf5::writer& a) override { solver_.archive(a); }
+  void archive(bolide::hdf5::reader& a) override { solver_.archive(a); }
+#endif
+
   census count() const override {
     census c;
     bool first = true;

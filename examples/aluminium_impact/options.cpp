@@ -129,6 +129,18 @@ void read_fields(settings& s, std::string_view text, std::string_view label) {
   s.fields = text;
 }
 
+void read_checkpoint_interval(settings& s, std::string_view text, std::string_view label) {
+  if (text == "none") return void(s.checkpoint_every.reset());
+  checkpoint_interval every;
+  if (text.find_first_not_of("0123456789") == text.npos) every.steps = whole<long>(text, label, 1, 1'000'000'000'000);
+  else {
+    every.time = parse(text, dimension::time, label);
+    if (!(every.time > 0 && every.time <= 1))
+      throw bad_parameter(quoted(label, text) + "must be a time, more than 0 and at most 1s, or a whole number of steps, or none");
+  }
+  s.checkpoint_every = every;
+}
+
 void read_frames(settings& s, std::string_view text, std::string_view label) {
   if (text == "auto") return void(s.frames.reset());
   s.frames = whole<int>(text, label, 0, 10000);
@@ -194,6 +206,15 @@ std::vector<option> make_options() {
                  s.out = text;
                },
                [](const settings& s) { return s.out; }});
+  o.push_back({"checkpoint-every", "TIME|STEPS|none",
+               "keep the state of the run in DIR/checkpoint.h5: every so much simulated time, or so many steps", output, false,
+               read_checkpoint_interval, [](const settings& s) {
+                 if (!s.checkpoint_every) return std::string("none");
+                 return s.checkpoint_every->steps > 0 ? std::to_string(s.checkpoint_every->steps)
+                                                      : format(s.checkpoint_every->time, dimension::time);
+               }});
+  o.push_back({"restart", "FILE", "go on from a checkpoint, with the settings of its run: the same bits as if it had not stopped", output,
+               false, [](settings& s, str text, str) { s.restart = text; }, [](const settings& s) { return s.restart; }});
   o.push_back({"ensemble", "N",
                "the run N times with seeds seed, seed + 1, ...: mean and scatter of every measure (jitter 10% unless given)", output, false,
                [](settings& s, str text, str label) { s.ensemble = whole<int>(text, label, 1, 1000); },
@@ -238,6 +259,12 @@ void check(const settings& s) {
                         "--shape bspline or --transfer flip");
   if (std::error_code error; std::filesystem::exists(s.out, error) && !std::filesystem::is_directory(s.out, error))
     throw bad_parameter("--out = '" + s.out + "': is there already and no folder");
+  if (!has_checkpoints && (s.checkpoint_every || !s.restart.empty()))
+    throw bad_parameter(
+        std::string(s.restart.empty() ? "--checkpoint-every" : "--restart") +
+        ": this program was built without the HDF5 library, which checkpoints need; install it (Debian: libhdf5-dev) and build anew");
+  if (!s.restart.empty() && (s.compare || s.ensemble > 1))
+    throw bad_parameter("--restart = '" + s.restart + "': goes on with one run; leave --compare and --ensemble away");
   for (const std::string eos : all_eos) {
     if (eos != s.eos && !s.compare) continue;
     check_material(s.projectile, eos, "--projectile");

@@ -15,6 +15,12 @@ struct box_limits {
   double r_max, z_min, z_max;
 };
 
+/// Every so much simulated time (s), or every so many steps.
+struct checkpoint_interval {
+  double time = 0;
+  long steps = 0;
+};
+
 struct settings {
   // the scene
   std::string projectile = "aluminium", target = "aluminium"; // names in material/data/library.hpp
@@ -42,8 +48,10 @@ struct settings {
   std::string fields = "velocity,density,pressure,temperature,melt_fraction,region,failed,void_fraction,plastic_strain,peak_pressure";
   std::string pictures = "all"; // or none
   std::string out = "aluminium_impact_out";
-  bool compare = false; // all equations of state, side by side
-  int ensemble = 1;     // jitter seeds
+  bool compare = false;                                // all equations of state, side by side
+  int ensemble = 1;                                    // jitter seeds
+  std::optional<checkpoint_interval> checkpoint_every; // empty: no checkpoints
+  std::string restart;                                 // checkpoint to go on from; empty: from the start
 };
 
 /// Coarser lattice and grid, one ParaView frame: the same cloud in seconds.
@@ -52,6 +60,12 @@ inline void make_quick(settings& s) {
   s.cell = 0.2 * bolide::unit::mm;
   s.frames = 1;
 }
+
+#if defined(BOLIDE_HDF5)
+inline constexpr bool has_checkpoints = true;
+#else
+inline constexpr bool has_checkpoints = false; // built without the HDF5 library
+#endif
 
 inline constexpr const char* all_eos[] = {"paper", "mixed", "helm", "reference", "mie-gruneisen", "tillotson"};
 

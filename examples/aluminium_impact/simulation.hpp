@@ -9,6 +9,10 @@
 #include "bolide/observe/snapshot.hpp"
 #include "bolide/solver/ledger.hpp"
 
+#if defined(BOLIDE_HDF5)
+#include "bolide/hdf5/archive.hpp"
+#endif
+
 #include <memory>
 #include <stdexcept>
 
@@ -43,6 +47,10 @@ public:
   virtual const bolide::ledger& energies() = 0;
   virtual census count() const = 0;
   virtual bolide::observe::snapshot snapshot() const = 0;
+#if defined(BOLIDE_HDF5)
+  virtual void archive(bolide::hdf5::writer& a) = 0; // for checkpoints
+  virtual void archive(bolide::hdf5::reader& a) = 0;
+#endif
 };
 
 /// The run that the settings describe. Throws bad_parameter.

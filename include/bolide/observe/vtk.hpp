@@ -150,7 +150,8 @@ class vtk_series {
   std::string collection_content() const {
     std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
     for (const auto& [time, file] : frames_)
-      text += "<DataSet timestep=\"" + to_text(time) + "\" file=\"" + detail::xml_text(file) + "\"/>\n";
+      if (std::filesystem::exists(folder_ / file)) // not there: the run went on in another folder
+        text += "<DataSet timestep=\"" + to_text(time) + "\" file=\"" + detail::xml_text(file) + "\"/>\n";
     return text + "</Collection>\n</VTKFile>\n";
   }
   std::filesystem::path folder_;

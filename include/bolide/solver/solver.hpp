@@ -245,6 +245,8 @@ public:
     a.same("precision", sizeof(T) == sizeof(double) ? "double" : "float");
     a.same("cell size", phases_.h, "m");
     if constexpr (requires { phases_.transfer.heat; }) a.same("heat of the transfer", phases_.transfer.heat, "");
+    if constexpr (requires { Transfer::filter_order; }) a.same("filter order of the transfer", Transfer::filter_order, "");
+    if constexpr (requires { phases_.transfer.flip; }) a.same("FLIP part of the transfer", phases_.transfer.flip, "");
     a.same("Courant number", controls_.courant, "");
     a.same("first step", controls_.first_step, "");
     a.same("growth", controls_.growth, "");
