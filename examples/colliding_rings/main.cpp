@@ -23,7 +23,7 @@
 #include <string_view>
 
 using namespace bolide;
-using namespace bolide::unit;
+using unit::MPa, unit::mm, unit::us;
 using xy = vec<double, 2>;
 
 /// An equation of state of one's own for small strains, p = K (rho/rho0 - 1): no heat enters, so elastic energy is all that is stored.

@@ -20,7 +20,7 @@
 #include <string_view>
 
 using namespace bolide;
-using namespace bolide::unit;
+using unit::GPa, unit::MPa, unit::mm, unit::us;
 using rz = vec<double, 2>;
 
 /// A scheme: update stress first, and a drag a = -rate v from time `from` on that brings the bar to rest once the plastic flow is over.

@@ -21,7 +21,7 @@
 #include <string_view>
 
 using namespace bolide;
-using namespace bolide::unit;
+using unit::GPa, unit::mm;
 using z = vec<double, 1>;
 
 struct profile { std::vector<double> z, p; };
@@ -42,8 +42,9 @@ profile exact_profile(const eos::mie_grueneisen& eos, const analysis::shock_stat
 }
 
 int main(int argc, char** argv) {
+  using unit::um, unit::us;
   const bool quick = argc > 1 && std::string_view(argv[1]) == "--quick";
-  const double speed = 4 * km / s, L = 2 * mm, thickness = 8 * mm, h = (quick ? 20 : 10) * um;
+  const double speed = 4000, L = 2 * mm, thickness = 8 * mm, h = (quick ? 20 : 10) * um;
 
   // ---- the heart: material, bodies, solver ----
   const eos::mie_grueneisen eos{data::aluminium.mie_grueneisen};

@@ -23,11 +23,11 @@
 #include <string_view>
 
 using namespace bolide;
-using namespace bolide::unit;
+using unit::GPa, unit::mm, unit::us;
 using rz = vec<double, 2>;
 using xyz = vec<double, 3>;
 
-constexpr double diameter = 2 * mm, thickness = 0.6 * mm, plate_radius = 4 * mm, speed = 5 * km / s, until = 2 * us;
+constexpr double diameter = 2 * mm, thickness = 0.6 * mm, plate_radius = 4 * mm, speed = 5000, until = 2 * us;
 
 /// The quarter x, y > 0 of a ball or of a disc about the z axis; a geometry is any struct with these six members.
 template <class Inside> struct quarter {

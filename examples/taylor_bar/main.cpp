@@ -21,7 +21,7 @@
 #include <string_view>
 
 using namespace bolide;
-using namespace bolide::unit;
+using unit::GPa, unit::MPa, unit::mm, unit::us;
 using rz = vec<double, 2>;
 
 struct outline { double length, foot, waist; }; // m; two diameters
