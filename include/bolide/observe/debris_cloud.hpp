@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The measures of a debris cloud, each with a written definition (docs/debris_cloud.md says why and what was rejected).
 //
-// The flight is along +z, the last component of the positions; r is the first, in 3-D hypot(x, y) about the axis x = y = 0. All lengths are mass quantiles:
-// the single fastest particles of a run are no measure of anything. What lies beyond the quantiles is reported as outliers, not
+// The flight is along +z, the last component of the positions; r is the first, in 3-D hypot(x, y) about the axis x = y = 0. All lengths
+// are mass quantiles: the single fastest particles of a run are no measure of anything. What lies beyond the quantiles is reported as outliers, not
 // dropped silently. Masses in an axisymmetric snapshot are those of rings, so a mass fraction is one of the whole cloud. A measure
 // that the snapshot cannot give (no column, nothing downstream) is NaN.
 // Sets:  downstream   z > rear face of the plate  and  v_z >  5 % of the impact speed

@@ -5,8 +5,8 @@
 //   pieces.write_csv("fragments.csv");     one row per fragment, heaviest first
 //   pieces.write_json("fragments.json");   totals, options and distributions
 //
-// Two particles are linked when their distance is at most the linking length (to 1e-9 of it); a fragment is whatever hangs together by links. Default:
-// 2 x the particle spacing of the start, one cell with two particles to a cell and axis: material stretched so far has lost contact on
+// Two particles are linked when their distance is at most the linking length (to 1e-9 of it); a fragment is whatever hangs together by
+// links. Default: 2 x the particle spacing of the start, one cell with two particles to a cell and axis: material stretched so far has lost contact on
 // the grid. The number of fragments depends on this choice (docs/debris_cloud.md has a measured sensitivity): state it with the result.
 // A fragment of one or two particles is not resolved; `least_particles` counts such ones as dust.
 //
@@ -181,18 +181,20 @@ class fragments {
 
 inline void fragments::check(const snapshot& s) const {
   require(s.dimension >= 1 && s.dimension <= 3, "dimension of the snapshot", s.dimension, "in 1..3");
-  require(options_.linking_length >= 0 && std::isfinite(options_.linking_length), "linking length", options_.linking_length, "non-negative and finite", "m");
+  const double asked = options_.linking_length;
+  require(asked >= 0 && std::isfinite(asked), "linking length", asked, "non-negative and finite", "m");
   require(options_.least_particles >= 1, "least number of particles of a fragment", static_cast<double>(options_.least_particles), "at least 1");
   require(link_ > 0 || s.size() == 0, "particle spacing of the snapshot", s.spacing, "positive, or a linking length given", "m");
   for (const periodic_range& p : options_.periodic) {
     require(p.axis >= (s.axisymmetric ? 1 : 0) && p.axis < s.dimension, "periodic axis", p.axis, "an axis of the snapshot, and not the radius");
-    require(p.high - p.low >= 3 * link_, "length of the periodic range", p.high - p.low, "at least three linking lengths, " + to_text(3 * link_), "m");
+    const double least = 3 * link_;
+    require(p.high - p.low >= least, "length of the periodic range", p.high - p.low, "at least three linking lengths, " + to_text(least), "m");
   }
 }
 
 inline fragments::fragments(const snapshot& s, fragment_options options)
-    : options_(std::move(options)), link_(options_.linking_length > 0 ? options_.linking_length : 2 * s.spacing), time_(s.time), dimension_(s.dimension),
-      axisymmetric_(s.axisymmetric), axes_(s.axis_letters()), body_names_(s.body_names), of_particle_(s.size(), -1) {
+    : options_(std::move(options)), link_(options_.linking_length > 0 ? options_.linking_length : 2 * s.spacing), time_(s.time),
+      dimension_(s.dimension), axisymmetric_(s.axisymmetric), axes_(s.axis_letters()), body_names_(s.body_names), of_particle_(s.size(), -1) {
   check(s);
   if (s.size() == 0) return;
   const column &x = s.at("position"), &v = s.at("velocity"), &mass = s.at("mass");

@@ -57,7 +57,8 @@ struct chosen_field {
   template <class Tag>
     requires requires { Tag::name, Tag::unit, Tag::order; }
   chosen_field(Tag) : name(Tag::name) {}
-  chosen_field(std::string own, std::string in, std::function<double(const particle&)> f) : name(std::move(own)), unit(std::move(in)), value(std::move(f)) {
+  chosen_field(std::string own, std::string in, std::function<double(const particle&)> f)
+      : name(std::move(own)), unit(std::move(in)), value(std::move(f)) {
     require(!name.empty() && value, "name and function of a field of the user's", 0, "given");
   }
 };
@@ -203,7 +204,6 @@ template <class Solver> class field_reader {
   /// `strict`: refuse a name that no material knows; else leave it without values.
   field_reader(const Solver& sim, selection wanted, bool strict = true) : wanted_(std::move(wanted)) {
     headings_.resize(wanted_.size());
-    std::string listing;
     for (std::size_t c = 0; c < wanted_.size(); ++c) headings_[c].name = wanted_[c].name, headings_[c].unit = wanted_[c].unit;
     sim.for_each_body([&](const auto& set) {
       using one = detail::particle_of<space, std::remove_cvref_t<decltype(set)>>;
@@ -216,13 +216,11 @@ template <class Solver> class field_reader {
         headings_[c].unit = one::all()[static_cast<std::size_t>(k)].unit;
         headings_[c].order = one::all()[static_cast<std::size_t>(k)].order;
       }
-      for (const auto& k : one::all())
-        if ((", " + listing + ",").find(", " + k.name + ",") == std::string::npos) listing += (listing.empty() ? "" : ", ") + k.name;
     });
     for (std::size_t c = 0; c < wanted_.size(); ++c) {
       for (std::size_t other = 0; other < c; ++other)
         require(wanted_[c].name != wanted_[other].name, "number of times that field \"" + wanted_[c].name + "\" is chosen", 2, "1");
-      if (strict && !wanted_[c].value && !known(c)) throw bad_parameter("no material of this run knows a field \"" + wanted_[c].name + "\"; known are " + listing);
+      if (strict && !known(c)) throw bad_parameter("no material of this run knows a field \"" + wanted_[c].name + "\"; known are " + known_to(sim));
     }
   }
 
@@ -261,6 +259,18 @@ template <class Solver> class field_reader {
   }
 
  private:
+  /// The names that the material of any body knows.
+  static std::string known_to(const Solver& sim) {
+    std::vector<std::string> names;
+    sim.for_each_body([&](const auto& set) {
+      for (const auto& k : detail::particle_of<space, std::remove_cvref_t<decltype(set)>>::all())
+        if (std::find(names.begin(), names.end(), k.name) == names.end()) names.push_back(k.name);
+    });
+    std::string listing;
+    for (const std::string& name : names) listing += (listing.empty() ? "" : ", ") + name;
+    return listing;
+  }
+
   selection wanted_;
   std::vector<heading> headings_;
   std::vector<std::vector<int>> place_; // [body][column]: where in the body's list, -1: not there

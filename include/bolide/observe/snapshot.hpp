@@ -46,7 +46,9 @@ struct snapshot {
   std::vector<column> columns;
   std::string axes{}; // one letter per component of the position; empty: r z, or x y z
 
-  std::string axis_letters() const { return !axes.empty() ? axes : axisymmetric ? "rz" : std::string("xyz").substr(0, static_cast<std::size_t>(dimension)); }
+  std::string axis_letters() const {
+    return !axes.empty() ? axes : axisymmetric ? "rz" : std::string("xyz").substr(0, static_cast<std::size_t>(dimension));
+  }
 
   /// Number of particles (rows of the mass column; zero without one).
   std::size_t size() const {

@@ -56,7 +56,9 @@ class json_archive {
   }
   void expect(bool, std::string_view) {}
   void same(std::string_view name, std::string_view text) { (*to_)[name] = text; }
-  void same(std::string_view name, double number, std::string_view unit) { (*to_)[unit.empty() ? std::string(name) : std::string(name).append(" (").append(unit).append(")")] = number; }
+  void same(std::string_view name, double number, std::string_view unit) {
+    (*to_)[unit.empty() ? std::string(name) : std::string(name).append(" (").append(unit).append(")")] = number;
+  }
   template <class Numbers, class What> void alike(std::string_view, const Numbers&, double, What&&) {} // samples for a comparison, nothing to read
 
  private:
@@ -82,7 +84,8 @@ template <class Solver> json_value composition_of(const Solver& sim) {
   json_value j;
   detail::json_archive a(j);
   sim.describe(a);
-  j["time step"] = "least over the particles of Courant number x cell / (Q + sqrt(Q^2 + c^2 + 4 G / 3 rho) + |v|) and 0.25 / |L|, growing by at most `growth` a step";
+  j["time step"] = "least over the particles of Courant number x cell / (Q + sqrt(Q^2 + c^2 + 4 G / 3 rho) + |v|) and 0.25 / |L|, growing by at most "
+                   "`growth` a step";
   json_value bodies;
   sim.for_each_body([&](const auto& set) {
     using columns = std::remove_cvref_t<decltype(set.columns)>;

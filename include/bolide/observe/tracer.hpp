@@ -86,7 +86,9 @@ class tracer {
         particle.move_to(i);
         std::vector<csv_cell> cells{sim.time(), sim.steps(), set.columns.id()[i], set.name};
         std::vector<csv_cell> values(table_->columns() - cells.size(), csv_cell(""));
-        fields.read(particle, body, [&](std::size_t c, int component, double x) { values[fields.first_cell(c) + static_cast<std::size_t>(component)] = x; });
+        fields.read(particle, body, [&](std::size_t c, int component, double x) {
+          values[fields.first_cell(c) + static_cast<std::size_t>(component)] = x;
+        });
         cells.insert(cells.end(), values.begin(), values.end());
         table_->row(cells);
       }
