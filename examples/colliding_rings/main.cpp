@@ -60,7 +60,9 @@ template <class Transfer> run collide(const char* name, Transfer transfer, doubl
   transfer.heat = 0; // what a transfer loses shall be seen, not kept as heat
   solver sim{space::plane_strain{}, grid::sparse{h}, shape::quadratic_bspline{}, transfer, scheme::usf{}, controls<>{.energy_bound = 1}, left, right};
   run r{name, {}, {}, 0, {}};
-  observe::every watch(us, [&](const auto&) { r.time.push_back(sim.time() / us), r.energy.push_back(mechanical_energy(sim, K) / sim.energies().initial.total()); });
+  observe::every watch(us, [&](const auto&) {
+    r.time.push_back(sim.time() / us), r.energy.push_back(mechanical_energy(sim, K) / sim.energies().initial.total());
+  });
   sim.run(60 * us, watch);
   r.contact = observe::take_snapshot(sim);
   sim.run(200 * us, watch);
@@ -72,8 +74,8 @@ int main(int argc, char** argv) {
   const bool quick = argc > 1 && std::string_view(argv[1]) == "--quick";
   const double h = (quick ? 0.4 : 0.2) * mm;
 
-  const run runs[] = {collide("FLIP", transfer::pic{.flip = 1}, h), collide("0.99 FLIP + 0.01 PIC", transfer::pic{.flip = 0.99}, h), collide("APIC", transfer::apic{}, h),
-                      collide("XPIC(5)", transfer::xpic<5>{}, h), collide("PIC", transfer::pic{.flip = 0}, h)};
+  const run runs[] = {collide("FLIP", transfer::pic{.flip = 1}, h), collide("0.99 FLIP + 0.01 PIC", transfer::pic{.flip = 0.99}, h),
+                      collide("APIC", transfer::apic{}, h), collide("XPIC(5)", transfer::xpic<5>{}, h), collide("PIC", transfer::pic{.flip = 0}, h)};
   observe::chart plot{"Two elastic rings, +-30 m/s: kinetic + elastic energy", "t (\u00b5s)", "of the initial energy"};
   for (const run& r : runs) {
     plot.line(r.name, r.time, r.energy);
@@ -81,7 +83,9 @@ int main(int argc, char** argv) {
   }
   plot.horizontal_range = {0, 200}, plot.vertical_range = {0, 1.1};
   const auto how = observe::paint::of("speed", "speed (m/s)", 1, observe::color_map::ocean()).between(0, 30);
-  const auto rings = [&](const run& r) { return observe::draw_panel({&r.contact, how, r.name, {}}, {-7 * mm, 7 * mm, -5.2 * mm, 5.2 * mm}, {.width = 640}); };
+  const auto rings = [&](const run& r) {
+    return observe::draw_panel({&r.contact, how, r.name, {}}, {-7 * mm, 7 * mm, -5.2 * mm, 5.2 * mm}, {.width = 640});
+  };
   const auto below = observe::arrange({rings(runs[0]), rings(runs[2])}, 2);
   png::write_png("colliding_rings.png", observe::arrange({observe::draw_chart(plot, {.width = below.width() - 200}), below}, 1));
   return std::abs(runs[0].energy.back() - 1) < (quick ? 0.05 : 0.02) ? 0 : 1; // FLIP keeps its energy

@@ -104,8 +104,8 @@ template <class Shape, class Scheme, class Strength> outcome run(const char* wha
   sim.run(80 * us);
   outcome o{observe::take_snapshot(sim), 0, sim.solver_seconds()};
   for (std::size_t i = 0; i < o.bar.size(); ++i) o.length = std::max(o.length, o.bar.at("position")(i, 1) + dx / 2);
-  std::printf("%-42s length %.3f mm, kinetic energy left %7.4f J, ledger closes to %.0e, %.2f s\n", what, o.length / mm, sim.energies().now.kinetic, std::abs(sim.energies().residual()),
-              o.seconds);
+  std::printf("%-42s length %.3f mm, kinetic energy left %7.4f J, ledger closes to %.0e, %.2f s\n", what, o.length / mm, sim.energies().now.kinetic,
+              std::abs(sim.energies().residual()), o.seconds);
   return o;
 }
 
@@ -119,8 +119,9 @@ int main(int argc, char** argv) {
   auto jc = ours.bar;
   jc.spacing = za.bar.spacing *= 1.3; // to draw: the foot is stretched, and its particles should not show gaps
   const auto how = observe::paint::of("plastic_strain", "equivalent plastic strain", 1).between(0, 2);
-  png::write_png("custom_solver.png", observe::draw_panels({{&jc, how, "our solver, Johnson-Cook", {}}, {&za.bar, how, "our solver, Zerilli-Armstrong", {}}},
-                                                           {0, 18 * mm, -8 * mm, 8 * mm}, 2, "", {.width = 620}));
+  png::write_png("custom_solver.png",
+                 observe::draw_panels({{&jc, how, "our solver, Johnson-Cook", {}}, {&za.bar, how, "our solver, Zerilli-Armstrong", {}}},
+                                      {0, 18 * mm, -8 * mm, 8 * mm}, 2, "", {.width = 620}));
   const double difference = ours.length / library.length - 1;
   std::printf("same strength: lengths differ by %+.2f %%; measured bar: 16.2 mm; custom_solver.png\n", 100 * difference);
   return std::abs(difference) < 0.01 ? 0 : 1;

@@ -74,7 +74,7 @@ int main(int argc, char** argv) {
   png::write_png("flyer_plate.png", observe::draw_chart(plot, {.mark = 1.5}));
 
   const double error = sum / n / shock.pressure - 1;
-  std::printf("plateau %.3f GPa over %.0f particles, Hugoniot %.3f GPa (us %.0f m/s), error %+.2f %%; %zu particles, %.2f s; flyer_plate.png\n", sum / n / GPa, n,
-              shock.pressure / GPa, shock.shock_speed, 100 * error, sim.particle_count(), sim.solver_seconds());
+  std::printf("plateau %.3f GPa over %.0f particles, Hugoniot %.3f GPa (us %.0f m/s), error %+.2f %%; %zu particles, %.2f s; flyer_plate.png\n",
+              sum / n / GPa, n, shock.pressure / GPa, shock.shock_speed, 100 * error, sim.particle_count(), sim.solver_seconds());
   return std::abs(error) < 0.002 ? 0 : 1;
 }

@@ -67,7 +67,9 @@ int main(int argc, char** argv) {
   png::write_png("noh.png", observe::draw_chart(plot, {.mark = 0.8}));
 
   const double found = plateau_mass / plateau_volume;
-  std::printf("density at R 0.05 to 0.15: %.2f, exact 64 (%+.1f %%); within R < 0.02: %.1f (wall heating)\n", found, 100 * (found / 64 - 1), centre_mass / centre_volume);
-  std::printf("energy drift %.1e; %zu particles, %ld steps, %.2f s; noh.png\n", sim.energies().drift(), sim.particle_count(), sim.steps(), sim.solver_seconds());
+  std::printf("density at R 0.05 to 0.15: %.2f, exact 64 (%+.1f %%); within R < 0.02: %.1f (wall heating)\n", found, 100 * (found / 64 - 1),
+              centre_mass / centre_volume);
+  std::printf("energy drift %.1e; %zu particles, %ld steps, %.2f s; noh.png\n", sim.energies().drift(), sim.particle_count(), sim.steps(),
+              sim.solver_seconds());
   return std::abs(found / 64 - 1) < (quick ? 0.1 : 0.05) ? 0 : 1;
 }

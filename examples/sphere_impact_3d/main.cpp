@@ -63,7 +63,8 @@ int main(int argc, char** argv) {
   const double dx = diameter / (quick ? 20 : 40), R = diameter / 2;
 
   // ---- the heart: one material, two spaces, two solvers ----
-  const material metal{eos::mie_grueneisen{data::aluminium.mie_grueneisen}, strength::elastic_perfectly_plastic{27.6 * GPa, 0.3 * GPa}, failure::tension{1.5 * GPa}};
+  const material metal{eos::mie_grueneisen{data::aluminium.mie_grueneisen}, strength::elastic_perfectly_plastic{27.6 * GPa, 0.3 * GPa},
+                       failure::tension{1.5 * GPa}};
   const initial_state rest{data::aluminium.density, 0};
   const auto solve = [&](auto space, const auto& ball, const auto& plate) {
     return solver{space, grid::sparse{2 * dx}, shape::quadratic_bspline{}, transfer::apic{}, scheme::usf{}, controls<>{}, ball, plate};
@@ -85,11 +86,14 @@ int main(int argc, char** argv) {
   const auto flat_shot = observe::take_snapshot(flat), full_shot = in_r_and_z(observe::take_snapshot(full));
   const observe::debris_cloud a(flat_shot, scene), b(full_shot, scene);
   const auto how = observe::paint::speed().between(0, 5);
-  png::write_png("sphere_impact_3d.png", observe::draw_panels({{&flat_shot, how, "r-z", {}}, {&full_shot, how, "3-D, all particles by distance from the axis", {}}}, {-6 * mm, 10 * mm, -5 * mm, 5 * mm}, 1,
-                                                              "Al sphere 2 mm on Al plate 0.6 mm, 5 km/s", {.width = 800}));
-  const double front = b.front_speed / a.front_speed - 1, hole = b.hole_diameter / a.hole_diameter - 1, worse = std::max(std::abs(front), std::abs(hole));
-  std::printf("r-z: front %.0f m/s, hole %.3f mm; %zu particles, %.2f s\n3-D: front %.0f m/s, hole %.3f mm; %zu particles, %.2f s\n", a.front_speed, a.hole_diameter / mm,
-              flat.particle_count(), flat.solver_seconds(), b.front_speed, b.hole_diameter / mm, full.particle_count(), full.solver_seconds());
+  png::write_png("sphere_impact_3d.png",
+                 observe::draw_panels({{&flat_shot, how, "r-z", {}}, {&full_shot, how, "3-D, all particles by distance from the axis", {}}},
+                                      {-6 * mm, 10 * mm, -5 * mm, 5 * mm}, 1, "Al sphere 2 mm on Al plate 0.6 mm, 5 km/s", {.width = 800}));
+  const double front = b.front_speed / a.front_speed - 1, hole = b.hole_diameter / a.hole_diameter - 1,
+               worse = std::max(std::abs(front), std::abs(hole));
+  std::printf("r-z: front %.0f m/s, hole %.3f mm; %zu particles, %.2f s\n3-D: front %.0f m/s, hole %.3f mm; %zu particles, %.2f s\n", a.front_speed,
+              a.hole_diameter / mm, flat.particle_count(), flat.solver_seconds(), b.front_speed, b.hole_diameter / mm, full.particle_count(),
+              full.solver_seconds());
   std::printf("differences: front %+.2f %%, hole %+.2f %%; sphere_impact_3d.png\n", 100 * front, 100 * hole);
   return worse < 0.03 ? 0 : 1;
 }

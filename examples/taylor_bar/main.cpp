@@ -59,9 +59,9 @@ int main(int argc, char** argv) {
 
   const double errors[] = {found.length / shot.length - 1, found.foot / shot.foot - 1, found.waist / shot.waist - 1};
   const double mean = (std::abs(errors[0]) + std::abs(errors[1]) + std::abs(errors[2])) / 3;
-  std::printf("length %.2f mm (%+.1f %%), foot %.2f mm (%+.1f %%), diameter at 0.2 L %.2f mm (%+.1f %%): mean error %.1f %%\n", found.length / mm, 100 * errors[0],
-              found.foot / mm, 100 * errors[1], found.waist / mm, 100 * errors[2], 100 * mean);
-  std::printf("energy drift %.1e, plastic work %.1f of %.1f J; %zu particles, %ld steps, %.2f s; taylor_bar.png\n", sim.energies().drift(), sim.energies().plastic_work,
-              sim.energies().initial.kinetic, sim.particle_count(), sim.steps(), sim.solver_seconds());
+  std::printf("length %.2f mm (%+.1f %%), foot %.2f mm (%+.1f %%), diameter at 0.2 L %.2f mm (%+.1f %%): mean error %.1f %%\n", found.length / mm,
+              100 * errors[0], found.foot / mm, 100 * errors[1], found.waist / mm, 100 * errors[2], 100 * mean);
+  std::printf("energy drift %.1e, plastic work %.1f of %.1f J; %zu particles, %ld steps, %.2f s; taylor_bar.png\n", sim.energies().drift(),
+              sim.energies().plastic_work, sim.energies().initial.kinetic, sim.particle_count(), sim.steps(), sim.solver_seconds());
   return mean < 0.03 ? 0 : 1;
 }

@@ -44,7 +44,8 @@ struct chart {
 
 private:
   chart& add(std::string label, std::vector<double> x, std::vector<double> y, bool as_marks) {
-    require(x.size() == y.size(), "ordinates of the curve \"" + label + "\"", static_cast<double>(y.size()), "as many as abscissas, " + std::to_string(x.size()));
+    require(x.size() == y.size(), "ordinates of the curve \"" + label + "\"", static_cast<double>(y.size()),
+            "as many as abscissas, " + std::to_string(x.size()));
     const rgb color = line_palette[curves.size() % line_palette.size()];
     curves.push_back({std::move(label), std::move(x), std::move(y), as_marks, color});
     return *this;
@@ -98,7 +99,8 @@ inline void draw_series(image& on, const chart_field& f, const chart::series& s,
     std::vector<pen_segment> way;
     if (s.as_marks)
       for (const auto& [x, y] : points) way.push_back({x, y, x, y}), draw_strokes(on, way, 2 * style.mark, s.color), way.clear();
-    for (std::size_t i = 1; !s.as_marks && i < points.size(); ++i) way.push_back({points[i - 1].first, points[i - 1].second, points[i].first, points[i].second});
+    for (std::size_t i = 1; !s.as_marks && i < points.size(); ++i)
+      way.push_back({points[i - 1].first, points[i - 1].second, points[i].first, points[i].second});
     draw_strokes(on, way, std::max(1.5, style.text / 7), s.color);
   });
 }
@@ -134,7 +136,8 @@ inline std::pair<int, int> legend_place(const chart& c, const chart_field& f, in
           const double t = s.as_marks || i == 0 ? 0 : k / 16.0;
           const auto& before = points[i > 0 ? i - 1 : 0];
           const double x = points[i].first + t * (before.first - points[i].first), y = points[i].second + t * (before.second - points[i].second);
-          for (std::size_t n = 0; n < 4; ++n) inside[n] += x > corners[n].first && x < corners[n].first + width && y > corners[n].second && y < corners[n].second + height;
+          for (std::size_t n = 0; n < 4; ++n)
+            inside[n] += x > corners[n].first && x < corners[n].first + width && y > corners[n].second && y < corners[n].second + height;
         }
     });
   return corners[static_cast<std::size_t>(std::min_element(inside.begin(), inside.end()) - inside.begin())];
@@ -146,7 +149,8 @@ inline void draw_chart_legend(image& on, const chart_field& f, const chart& c, c
     if (!s.label.empty()) named.emplace_back(s.label, s.color);
   if (named.empty()) return;
   const double text = style.text;
-  const auto [x, y] = legend_place(c, f, static_cast<int>(legend_width(named, text) - 2.5 * text), static_cast<int>(2.3 * text * static_cast<double>(named.size())), static_cast<int>(text));
+  const auto [x, y] = legend_place(c, f, static_cast<int>(legend_width(named, text) - 2.5 * text),
+                                   static_cast<int>(2.3 * text * static_cast<double>(named.size())), static_cast<int>(text));
   double row = y;
   for (const auto& s : c.curves) {
     if (s.label.empty()) continue;
@@ -162,11 +166,14 @@ inline void draw_chart_legend(image& on, const chart_field& f, const chart& c, c
 inline image draw_chart(const chart& c, const chart_style& style = {}) {
   require(!c.curves.empty(), "curves of the chart \"" + c.title + "\"", 0, "at least 1");
   require(style.width >= 100 && style.height >= 60, "width of a chart", style.width, "at least 100 by 60", "pixels");
-  require(style.text >= 4 && style.text <= 0.1 * style.width, "height of the text", style.text, "at least 4 and at most a tenth of the width", "pixels");
+  require(style.text >= 4 && style.text <= 0.1 * style.width, "height of the text", style.text, "at least 4 and at most a tenth of the width",
+          "pixels");
   require(style.mark > 0, "radius of a mark", style.mark, "positive", "pixels");
   const double text = style.text;
-  detail::chart_field f{detail::range_of(c, c.horizontal_range, [](const auto& s) -> const auto& { return s.x; }),
-                        detail::range_of(c, c.vertical_range, [](const auto& s) -> const auto& { return s.y; }), 0, 0, 0, static_cast<int>(3.6 * text), style.width, style.height};
+  detail::chart_field f{};
+  f.across = detail::range_of(c, c.horizontal_range, [](const auto& s) -> const auto& { return s.x; });
+  f.up = detail::range_of(c, c.vertical_range, [](const auto& s) -> const auto& { return s.y; });
+  f.y = static_cast<int>(3.6 * text), f.width = style.width, f.height = style.height;
   f.across_step = nice_step(f.across.high - f.across.low, style.width / (7 * text));
   f.up_step = nice_step(f.up.high - f.up.low, style.height / (5 * text));
   f.x = static_cast<int>(5 * text + widest_tick(f.up.low, f.up.high, f.up_step, text));
