@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A flyer of V = 6640 m/s on a plate of the same metal, sampled against the exact Rankine-Hugoniot state of its equation of state.
 //
-// Samples are particles between the shock fronts, ten cells away from both fronts and from the interface; no release has begun. The shock speed comes from the front's position at two times (midpoint of the jump in velocity,
+// Samples are particles between the shock fronts, ten cells away from both fronts and from the interface (a gas that is compressed a lot: a third of the
+// way between them); no release has begun. The shock speed comes from the front's position at two times (midpoint of the jump in velocity,
 // interpolated between particles), the front's spread does not enter.
 #pragma once
 
@@ -16,6 +17,8 @@
 #include "bolide/eos/tillotson.hpp"
 #include "bolide/viscosity/none.hpp"
 
+#include "verify/table.hpp"
+
 #include "unit/solver/scenes.hpp"
 
 #include <gtest/gtest.h>
@@ -28,12 +31,18 @@
 namespace bolide::verify {
 using namespace test;
 
+inline constexpr double impact_speed = 6640, cell = 0.1e-3;
+
 /// An equation of state with the state that its flyer starts from.
 template <class Eos> struct start {
   Eos eos;
   initial_state state;
+  double speed = impact_speed;  // m/s
+  double until = 0.72 * us;     // s: both shocks are still in slabs of 8 mm
+  bool wall = false;            // behind the plate, for what would expand
 };
 template <class Eos> start(Eos, initial_state) -> start<Eos>;
+template <class Eos> start(Eos, initial_state, double, double, bool) -> start<Eos>;
 inline auto mie_grueneisen() {
   return start{eos::isentrope_temperature{eos::mie_grueneisen{{.constant_gamma = true}}}, initial_state{2785, 0}};
 }
@@ -57,8 +66,6 @@ struct sampled {
   double p = 0, rho = 0, e = 0, temperature = 0, up = 0, us = 0, p_scatter = 0, v_scatter = 0;
   double drift = 0;
 };
-
-inline constexpr double impact_speed = 6640, cell = 0.1e-3;
 
 /// Right-going front: where the axial velocity falls through half of up, among particles of |r| < width.
 template <class Solver> double front_position(const Solver& sim, double up, double width) {
@@ -94,7 +101,7 @@ template <class Solver> double front_position(const Solver& sim, double up, doub
 /// Samples between the fronts at the solver's time.
 template <class Solver> sampled sample(Solver& sim, const analysis::shock_state& exact, double width) {
   constexpr int axis = Solver::dim - 1;
-  const double t = sim.time(), interface = exact.particle_speed * t, reach = (exact.shock_speed - exact.particle_speed) * t, away = 10 * cell;
+  const double t = sim.time(), interface = exact.particle_speed * t, reach = (exact.shock_speed - exact.particle_speed) * t, away = std::min(10 * cell, 0.3 * reach);
   sampled s;
   double p2 = 0, v2 = 0;
   sim.for_each_body([&](const auto& set) {
@@ -130,17 +137,18 @@ template <class Solver> sampled run_flyer(Solver& sim, const analysis::shock_sta
 }
 
 template <class Start> analysis::shock_state exact_shock(const Start& at) {
-  return analysis::hugoniot(at.eos, at.state.density, at.state.energy, at.eos.evaluate(at.state.density, at.state.energy).pressure, impact_speed / 2);
+  return analysis::hugoniot(at.eos, at.state.density, at.state.energy, at.eos.evaluate(at.state.density, at.state.energy).pressure, at.speed / 2);
 }
 
 /// 1-D: slabs of 8 mm, 80 cells of two particles each.
 template <class Method, class Start, class Viscosity = viscosity::bulk> sampled flyer_1d(const Start& at, Viscosity q = Viscosity(), typename Method::transfer_type transfer = typename Method::transfer_type()) {
   using point = vec<double, 1>;
   const material al{at.eos, strength::none{}, failure::none{}, q};
-  const body flyer{"flyer", box{point{-8 * mm}, point{0}}, al, cell / 2, at.state, point{impact_speed}};
+  const body flyer{"flyer", box{point{-8 * mm}, point{0}}, al, cell / 2, at.state, point{at.speed}};
   const body plate{"plate", box{point{0}, point{8 * mm}}, al, cell / 2, at.state};
   solver sim{space::planar_1d{}, grid::sparse{cell}, typename Method::shape_type{}, transfer, typename Method::scheme_type{}, one_thread<typename Method::scalar>(), flyer, plate};
-  return run_flyer(sim, exact_shock(at), 0.72 * us, 0);
+  if (at.wall) sim.add(grid::mirror{0, 8 * mm, false});
+  return run_flyer(sim, exact_shock(at), at.until, 0);
 }
 
 /// r-z: discs of 8 mm between the axis and a slip wall at r = 0.8 mm: plane waves, with the hoop terms, the axis and the wall at work.
@@ -162,6 +170,20 @@ inline void report(const std::string& eos, const char* space, const std::string&
               percent(s.rho, x.density), percent(s.us, x.shock_speed), percent(s.e, x.energy), percent(s.temperature, x.temperature), 100 * s.p_scatter, s.v_scatter, s.drift);
 }
 
+inline constexpr const char* velocity_noise = "FLIP keeps velocity noise behind the shock (some 250 m/s): pressure, energy and temperature are reported only";
+
+/// Rows of the verification table: what near_exact asks, or less where a bound is given.
+template <class Method> void record_flyer(const std::string& eos, const char* space, const sampled& s, const analysis::shock_state& x, double bound = 0.01, const std::string& note = "") {
+  const auto one = [&](const char* what, double value, double asked) {
+    record({.section = "shocks", .problem = "plate impact, " + eos, .composition = std::string(space) + ", " + Method::name(), .measure = what, .value = value, .bound = asked, .note = note});
+  };
+  one("density behind the shock", s.rho / x.density - 1, bound);
+  one("shock speed", s.us / x.shock_speed - 1, bound);
+  one("pressure behind the shock", s.p / x.pressure - 1, bound <= 0.01 ? bound : none);
+  one("energy behind the shock", s.e / x.energy - 1, bound <= 0.01 ? bound : none);
+  if (!std::isnan(x.temperature)) one("temperature behind the shock", s.temperature / x.temperature - 1, bound <= 0.01 ? 0.025 : none);
+}
+
 /// The bars of the default composition; `least`: more particles than this were sampled.
 inline void near_exact(const sampled& s, const analysis::shock_state& x, int least) {
   ASSERT_GT(s.n, least);
@@ -169,7 +191,9 @@ inline void near_exact(const sampled& s, const analysis::shock_state& x, int lea
   EXPECT_NEAR(s.rho / x.density, 1, 0.01);
   EXPECT_NEAR(s.us / x.shock_speed, 1, 0.01);
   EXPECT_NEAR(s.e / x.energy, 1, 0.01);
-  EXPECT_NEAR(s.temperature / x.temperature, 1, 0.025);
+  if (!std::isnan(x.temperature)) {
+    EXPECT_NEAR(s.temperature / x.temperature, 1, 0.025);
+  }
   EXPECT_LT(s.p_scatter, 0.05);
 }
 

@@ -11,6 +11,7 @@ template <class Start> void check(const char* name, const Start& at) {
   const auto exact = exact_shock(at);
   const auto s = flyer_1d<standard>(at);
   report(name, "1-D", standard::name(), s, exact);
+  record_flyer<standard>(name, "planar_1d", s, exact);
   near_exact(s, exact, 100);
 }
 
@@ -29,6 +30,7 @@ TYPED_TEST(Flyer1DMethods, MieGrueneisen) {
   const auto exact = exact_shock(at);
   const auto s = flyer_1d<TypeParam>(at);
   report("mie-gruneisen", "1-D", TypeParam::name(), s, exact);
+  if (TypeParam::name() != standard::name()) record_flyer<TypeParam>("mie-gruneisen", "planar_1d", s, exact, 0.02, TypeParam::transfer_type::affine ? "" : velocity_noise);
   EXPECT_NEAR(s.rho / exact.density, 1, 0.02);
   EXPECT_NEAR(s.us / exact.shock_speed, 1, 0.02);
   EXPECT_LT(std::abs(s.drift), 1e-12);

@@ -11,6 +11,7 @@ template <class Start> void check(const char* name, const Start& at) {
   const auto x = exact_shock(at);
   const auto s = flyer_rz<standard>(at);
   report(name, "r-z", standard::name(), s, x);
+  record_flyer<standard>(name, "axisymmetric", s, x);
   near_exact(s, x, 1000);
 }
 
