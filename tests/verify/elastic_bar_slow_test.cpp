@@ -7,7 +7,10 @@ namespace {
 using namespace verify;
 
 template <class Method> class ElasticBar : public testing::Test {};
-using methods = testing::Types<linear_flip_usf, linear_flip_musl, bspline_flip_usf, bspline_flip_musl, bspline_apic_usf, bspline_apic_musl>;
+using cubic = shape::cubic_bspline;
+using methods = testing::Types<linear_flip_usf, linear_flip_musl, bspline_flip_usf, bspline_flip_musl, bspline_apic_usf, bspline_apic_musl,
+                               method<cubic, transfer::flip, scheme::usf>, method<cubic, transfer::flip, scheme::musl>, method<cubic, transfer::apic, scheme::usf>,
+                               method<cubic, transfer::apic, scheme::musl>>;
 TYPED_TEST_SUITE(ElasticBar, methods, method_names);
 
 TYPED_TEST(ElasticBar, KeepsItsModeWithSecondOrder) { check_elastic_bar<TypeParam>(30); }
