@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // expect: ok
-// The library's grid, boundary, particle storage and time step meet their concepts; each concept refuses an empty type.
+// The library's grids, boundaries, particle storage and time step meet their concepts; each concept refuses an empty type.
 #include "bolide/concepts/boundary.hpp"
 #include "bolide/concepts/grid.hpp"
 #include "bolide/concepts/particle_storage.hpp"
 #include "bolide/concepts/time_step.hpp"
 #include "bolide/grid/mirror.hpp"
+#include "bolide/grid/periodic.hpp"
 #include "bolide/grid/sparse.hpp"
+#include "bolide/grid/uniform.hpp"
 #include "bolide/particles/columns.hpp"
 #include "bolide/space/axisymmetric.hpp"
 #include "bolide/time/courant.hpp"
@@ -14,8 +16,9 @@
 struct nothing {};
 using map = bolide::grid::block_map<2>;
 static_assert(bolide::Grid<bolide::grid::block_map<1>> && bolide::Grid<map> && bolide::Grid<bolide::grid::block_map<3>> && !bolide::Grid<nothing>);
+static_assert(bolide::Grid<bolide::grid::dense_map<1>> && bolide::Grid<bolide::grid::dense_map<2>> && bolide::Grid<bolide::grid::dense_map<3>>);
 using node = bolide::grid::node_values<double, 3>;
-static_assert(bolide::Boundary<bolide::grid::mirror_nodes<2>, map, node> && !bolide::Boundary<nothing, map, node>);
+static_assert(bolide::Boundary<bolide::grid::mirror_nodes<2>, map, node> && bolide::Boundary<bolide::grid::periodic_nodes<2>, map, node> && !bolide::Boundary<nothing, map, node>);
 using columns = bolide::particles::columns<float, bolide::space::axisymmetric, bolide::fields<bolide::field::mass, bolide::field::velocity>>;
 static_assert(bolide::ParticleStorage<columns> && bolide::ParticleStorage<columns, bolide::field::mass, bolide::field::velocity>);
 static_assert(!bolide::ParticleStorage<columns, bolide::field::deviator> && !bolide::ParticleStorage<nothing>);

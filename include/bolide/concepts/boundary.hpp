@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The role "boundary": what does a plane do to the sums on the nodes and to particles that cross it?
+// The role "boundary": what does a plane do to the sums on the nodes?
 //
 //   rebuild(grid)             after every rebuild of the blocks: which nodes are concerned
-//   complete(sums, first)     after every sum over particles: the condition on the node values; components first .. first + dim - 1
-//                             are a vector, the others scalars (first < 0: all scalars)
+//   spread(touched)           in every step: blocks whose partner is touched are touched too
+//   complete(sums, first, offset)  after every sum over particles: the condition on the node values of the column that begins at offset;
+//                             components first .. first + dim - 1 are a vector, the others scalars (first < 0: all scalars)
 //   is_image(node)            a node that is a copy and must not be counted in sums over nodes
-//   axis(), line(), material_above()   the plane, for the reflection of particles
-// Invariants: the momentum that a boundary takes is normal to its plane; mass is kept. Cost: O(nodes near the plane) per sum.
+//   axis()                    the axis that it stands across
+// What it does to particles that cross it (a mirror reflects, a period moves them on) is the solver's (solver/phases.hpp, move).
+// Invariants: mass is kept; of the momentum a boundary takes what its head comment says. Cost: O(nodes near the plane) per sum.
 #pragma once
 
 #include <concepts>
@@ -17,13 +19,12 @@
 namespace bolide {
 
 template <class B, class Grid, class Values>
-concept Boundary = requires(B boundary, const B& is, const Grid& grid, std::vector<Values>& sums, std::size_t node) {
+concept Boundary = requires(B boundary, const B& is, const Grid& grid, std::vector<Values>& sums, std::vector<char>& touched, std::size_t node) {
   boundary.rebuild(grid);
-  is.complete(sums, 0);
+  boundary.spread(touched);
+  is.complete(sums, 0, node);
   { is.is_image(node) } -> std::convertible_to<bool>;
   { is.axis() } -> std::convertible_to<std::size_t>;
-  { is.line() } -> std::convertible_to<std::int32_t>;
-  { is.material_above() } -> std::convertible_to<bool>;
 };
 
 } // namespace bolide

@@ -539,9 +539,7 @@ private:
   /// Changes node velocities to what contact and walls allow: before the stress those that the particles brought, then those that the forces
   /// left. The change goes to the second half of `motion_`, the force that makes it is remembered for the ledger.
   template <bool Before> void constrain() {
-    each_place([this](std::size_t place) {
-      if constexpr (Contact::multi_field) this->template separate_bodies<Before>(place);
-    });
+    if constexpr (Contact::multi_field) each_place([this](std::size_t place) { this->template separate_bodies<Before>(place); });
     for (const auto& w : walls)
       for (const auto& part : touched_)
         map::for_each_row(part.nodes, [&](int local, int count) {
@@ -617,7 +615,7 @@ private:
         chunks<wants::values>(set, range, [&](std::size_t begin, int n, const stencil_type& st) { scatter_body_force(set.columns, begin, n, st, win); });
       });
     });
-    for_each_set([this](const auto& s) { count_given_momentum(s.columns); });
+    for_each_set([this](const auto& s) { this->count_given_momentum(s.columns); });
     complete(external_, 0);
   }
   bool is_image(std::size_t at) const {
@@ -810,6 +808,10 @@ private:
         const auto filtered = filter(p, begin + static_cast<std::size_t>(k), k, st, from, seen);
         gain = filtered.kinetic_gain;
         returned_heat += static_cast<double>(mass[k]) * static_cast<double>(filtered.heat);
+      } else { // clang warns of captures that only the other branch uses
+        static_cast<void>(this);
+        static_cast<void>(p);
+        static_cast<void>(returned_heat);
       }
       for (std::size_t d = 0; d < dim; ++d) {
         const T v = velocity[d][k], dv = seen[static_cast<int>(dim + d)];
