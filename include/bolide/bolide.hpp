@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The umbrella for users: every header of bolide::bolide, in alphabetical order. No library header includes it; gsl/ and png/ are optional
+// The umbrella for users: every header of bolide::bolide, in alphabetical order. No library header includes it; gsl/, hdf5/ and png/ are optional
 // targets and are included on their own. Costs about 2 s of parsing beside Eigen: a program that composes one solver is quicker with those it
 // names (README, examples/own_eos).
 #pragma once
@@ -15,9 +15,11 @@
 #include "bolide/analysis/saturation.hpp"
 #include "bolide/analysis/vaporisation_thresholds.hpp"
 #include "bolide/analysis/wave.hpp"
-
+#include "bolide/concepts/accept_unsound.hpp"
+#include "bolide/concepts/archive.hpp"
 #include "bolide/concepts/boundary.hpp"
 #include "bolide/concepts/cold_curve.hpp"
+#include "bolide/concepts/contact.hpp"
 #include "bolide/concepts/equation_of_state.hpp"
 #include "bolide/concepts/failure.hpp"
 #include "bolide/concepts/grid.hpp"
@@ -31,12 +33,12 @@
 #include "bolide/concepts/strength.hpp"
 #include "bolide/concepts/time_step.hpp"
 #include "bolide/concepts/transfer.hpp"
-
 #include "bolide/conformance/cold_curve.hpp"
 #include "bolide/conformance/difference.hpp"
 #include "bolide/conformance/equation_of_state.hpp"
 #include "bolide/conformance/report.hpp"
-
+#include "bolide/contact/frictional.hpp"
+#include "bolide/contact/single_field.hpp"
 #include "bolide/core/algebra.hpp"
 #include "bolide/core/contract.hpp"
 #include "bolide/core/cubic_spline.hpp"
@@ -47,7 +49,6 @@
 #include "bolide/core/quantity.hpp"
 #include "bolide/core/text_input.hpp"
 #include "bolide/core/unit.hpp"
-
 #include "bolide/eos/bracketed_root.hpp"
 #include "bolide/eos/cold/birch_murnaghan.hpp"
 #include "bolide/eos/cold/cai_ye.hpp"
@@ -95,15 +96,17 @@
 #include "bolide/eos/tabulated.hpp"
 #include "bolide/eos/tillotson.hpp"
 #include "bolide/eos/validity.hpp"
-
+#include "bolide/failure/johnson_cook_damage.hpp"
 #include "bolide/failure/none.hpp"
+#include "bolide/failure/softening.hpp"
 #include "bolide/failure/tension.hpp"
 #include "bolide/failure/tension_or_melt.hpp"
 #include "bolide/failure/thermal_tension.hpp"
-
 #include "bolide/grid/mirror.hpp"
+#include "bolide/grid/moving_wall.hpp"
+#include "bolide/grid/periodic.hpp"
 #include "bolide/grid/sparse.hpp"
-
+#include "bolide/grid/uniform.hpp"
 #include "bolide/material/any_material.hpp"
 #include "bolide/material/data/aluminium.hpp"
 #include "bolide/material/data/aluminium_1100.hpp"
@@ -118,59 +121,70 @@
 #include "bolide/material/data/tungsten.hpp"
 #include "bolide/material/material.hpp"
 #include "bolide/material/report.hpp"
-
+#include "bolide/material/response.hpp"
 #include "bolide/observe/axes.hpp"
+#include "bolide/observe/chart.hpp"
 #include "bolide/observe/color_map.hpp"
 #include "bolide/observe/csv.hpp"
 #include "bolide/observe/debris_cloud.hpp"
 #include "bolide/observe/draw.hpp"
+#include "bolide/observe/durable_file.hpp"
 #include "bolide/observe/every.hpp"
+#include "bolide/observe/fragments.hpp"
 #include "bolide/observe/image.hpp"
+#include "bolide/observe/json.hpp"
 #include "bolide/observe/picture.hpp"
+#include "bolide/observe/probe.hpp"
 #include "bolide/observe/progress.hpp"
 #include "bolide/observe/radiograph.hpp"
+#include "bolide/observe/selection.hpp"
+#include "bolide/observe/slice.hpp"
 #include "bolide/observe/snapshot.hpp"
+#include "bolide/observe/snapshot_csv.hpp"
 #include "bolide/observe/stroke_font.hpp"
+#include "bolide/observe/summary.hpp"
 #include "bolide/observe/take_snapshot.hpp"
 #include "bolide/observe/tracer.hpp"
 #include "bolide/observe/vtk.hpp"
+#include "bolide/observe/vtk_frames.hpp"
 #include "bolide/observe/weighted_quantile.hpp"
 #include "bolide/observe/whole_file.hpp"
-
 #include "bolide/particles/column_view.hpp"
 #include "bolide/particles/columns.hpp"
 #include "bolide/particles/geometry.hpp"
-
 #include "bolide/potential/cai_ye.hpp"
 #include "bolide/potential/setfl.hpp"
 #include "bolide/potential/shells.hpp"
 #include "bolide/potential/zhou04.hpp"
-
 #include "bolide/scheme/musl.hpp"
 #include "bolide/scheme/usf.hpp"
-
+#include "bolide/scheme/usl.hpp"
 #include "bolide/shape/cubic_bspline.hpp"
+#include "bolide/shape/gimp.hpp"
 #include "bolide/shape/linear.hpp"
 #include "bolide/shape/quadratic_bspline.hpp"
-
 #include "bolide/solver/body.hpp"
+#include "bolide/solver/body_force.hpp"
 #include "bolide/solver/ledger.hpp"
 #include "bolide/solver/particle_set.hpp"
 #include "bolide/solver/phases.hpp"
 #include "bolide/solver/solver.hpp"
 #include "bolide/solver/stencil.hpp"
-
 #include "bolide/space/axisymmetric.hpp"
+#include "bolide/space/cartesian_3d.hpp"
 #include "bolide/space/planar_1d.hpp"
-
+#include "bolide/space/plane_strain.hpp"
+#include "bolide/strength/elastic.hpp"
 #include "bolide/strength/elastic_perfectly_plastic.hpp"
 #include "bolide/strength/johnson_cook.hpp"
+#include "bolide/strength/linear_hardening.hpp"
 #include "bolide/strength/none.hpp"
-
+#include "bolide/strength/steinberg_guinan.hpp"
 #include "bolide/time/courant.hpp"
-
 #include "bolide/transfer/apic.hpp"
 #include "bolide/transfer/flip.hpp"
-
+#include "bolide/transfer/pic.hpp"
+#include "bolide/transfer/xpic.hpp"
 #include "bolide/viscosity/bulk.hpp"
+#include "bolide/viscosity/limited.hpp"
 #include "bolide/viscosity/none.hpp"
