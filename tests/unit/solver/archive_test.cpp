@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What the solver lists of its state is all there is: a fresh solver that is given the list of step k goes on to the same bits, for
 // every k of a run: right after a sort and between two, with sleeping blocks and while material leaves.
+#include "bolide/contact/frictional.hpp"
+#include "bolide/grid/uniform.hpp"
+#include "bolide/shape/gimp.hpp"
+#include "bolide/space/plane_strain.hpp"
 #include "unit/solver/memory_archive.hpp"
 #include "unit/solver/scenes.hpp"
 
@@ -91,6 +95,39 @@ TEST(Archive, ASolverInTheMiddleOfAnotherRunIsOverwritten) {
   put_back(other, listed(sim));
   for (int i = 0; i < 100; ++i) sim.step(), other.step();
   EXPECT_EQ(difference(comparable(listed(sim)), comparable(listed(other))), "");
+}
+
+/// What the other compositions leave out: a dense grid, GIMP, contact with friction, a period, a moving wall, a body force.
+auto other_models() {
+  using point = vec<double, 2>;
+  controls<double> c;
+  c.first_step = 1;
+  const initial_state at{2785, 0};
+  const body upper{"upper", box{point{0, 0}, point{0.8 * mm, 0.4 * mm}}, aluminium(), 0.05 * mm, at, point{300., -500.}};
+  const body lower{"lower", box{point{0, -0.4 * mm}, point{0.8 * mm, 0}}, aluminium(), 0.05 * mm, at, point{0, 500.}};
+  solver sim{space::plane_strain{}, grid::uniform{0.1 * mm}, shape::gimp{}, transfer::flip{}, scheme::usf{}, contact::frictional{0.3}, c, upper, lower};
+  sim.add(grid::periodic{0, 0.0, 0.8 * mm});
+  sim.add(grid::moving_wall{.axis = 1, .position = -0.6 * mm, .velocity = 400, .material_above = true});
+  sim.add(body_force{[](const point& x, double t) { return point{1e9 * std::sin(1e4 * x[1] + 1e7 * t), 0}; }});
+  return sim;
+}
+TEST(Archive, OtherModelsGoOnToTheSameBits) {
+  constexpr int steps = 200;
+  auto sim = other_models();
+  std::vector<entries> at;
+  for (int k = 0; k <= steps; ++k) {
+    at.push_back(listed(sim));
+    if (k < steps) sim.step();
+  }
+  for (int k = 0; k < steps; k += 13) {
+    auto again = other_models();
+    put_back(again, at[static_cast<std::size_t>(k)]);
+    for (int i = k; i < steps; ++i) again.step();
+    EXPECT_EQ(difference(comparable(at.back()), comparable(listed(again))), "") << "from step " << k;
+  }
+  EXPECT_NE(sim.energies().contact, 0);
+  EXPECT_NE(sim.energies().boundary_work, 0);
+  EXPECT_NE(sim.energies().body_work, 0);
 }
 
 TEST(Archive, ListingTheStateChangesNothing) {
