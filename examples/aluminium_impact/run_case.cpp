@@ -179,7 +179,7 @@ private:
 };
 
 /// May a run go on with another value of this setting? It changes nothing of what was computed so far.
-bool may_change(std::string_view setting) {
+[[maybe_unused]] bool may_change(std::string_view setting) {
   for (const auto* name : {"until", "threads", "step-cap", "frames", "fields", "pictures"})
     if (setting == name) return true;
   return false;
