@@ -231,16 +231,20 @@ template <class Method> manufactured_error run_in_rz(const expanding_ring& s, do
 }
 
 /// h, h/2, h/4 with dt as h^2 (see elastic_bar.hpp: the schemes are first order in time). `error`: what is asked at the finest.
-template <class Method, class Run> void check_order(const char* problem, const char* space, double h, double error, double least_order, Run&& at, const char* note = "") {
+template <class Method, class Run> void check_order(const char* problem, const char* space, double h, double error, double least_order, Run&& at) {
   manufactured_error e[3];
   for (int i = 0; i < 3; ++i) e[i] = at(h / (1 << i), 0.4 / (1 << i));
   char finest[80];
   std::snprintf(finest, sizeof finest, "RMS of the displacement over its largest, h = 1/%.0f m, dt ~ h^2", 4 / h);
   const double observed = order(e[1].rms, e[2].rms);
-  record({.section = "smooth", .problem = std::string("manufactured: ") + problem, .composition = composition<Method>(space), .measure = finest, .value = e[2].rms, .bound = error,
-          .order = observed, .expected_order = 2, .seconds = e[2].seconds, .note = note});
-  EXPECT_LT(e[2].rms, error);
-  EXPECT_GT(observed, least_order);
+  constexpr bool smooth = Method::shape_type::smooth; // linear shapes: stress jumps where a particle changes cell, the more often the finer the grid
+  record({.section = "smooth", .problem = std::string("manufactured: ") + problem, .composition = composition<Method>(space), .measure = finest, .value = e[2].rms,
+          .bound = smooth ? error : none, .order = observed, .expected_order = smooth ? 2 : none, .seconds = e[2].seconds,
+          .note = smooth ? "" : "reported: linear shapes do not converge where particles change cell"});
+  if (smooth) {
+    EXPECT_LT(e[2].rms, error);
+    EXPECT_GT(observed, least_order);
+  }
   EXPECT_LT(std::abs(e[2].drift), 1e-11);
   EXPECT_LT(std::abs(e[2].residual), 1e-11);
 }
