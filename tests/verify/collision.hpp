@@ -157,11 +157,15 @@ template <class Shape, class Scheme> void check_transfers() {
     if constexpr (requires { t.heat; }) check_conservation<tested>(t, 1);
     return left_by<tested>(t);
   };
-  const double flip = both(transfer::flip{}), blend = both(transfer::pic{.flip = 0.99}), xpic = both(transfer::xpic<5>{}), pic = both(transfer::pic{});
+  const double flip = both(transfer::flip{}), blend = both(transfer::pic{.flip = 0.99}), xpic = both(transfer::xpic<5>{});
   EXPECT_NEAR(flip, 1, 1e-12);
   EXPECT_LT(blend, flip);
   EXPECT_LT(xpic, flip);
-  EXPECT_LT(pic, std::min(blend, xpic)); // the most dissipative of all
+  double pic = 0;
+  if constexpr (Shape::smooth || !Scheme::stress_first) { // linear shapes, PIC and USF: collision_linear_slow_test.cpp
+    pic = both(transfer::pic{});
+    EXPECT_LT(pic, std::min(blend, xpic)); // the most dissipative of all
+  }
   if constexpr (requires { Shape::inertia; }) {
     const double apic = both(transfer::apic{});
     EXPECT_LT(apic, flip);
