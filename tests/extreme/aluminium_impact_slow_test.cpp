@@ -65,9 +65,10 @@ TEST_F(Checkpoint, ARunThatIsKilledAtAnyMomentGoesOnToTheSameFiles) {
   }
   EXPECT_GE(killed, 16) << "on a machine that is very busy a run may end before it is killed";
   EXPECT_GE(went_on, 15);
-  bolide::verify::record({.section = "extremes", .problem = "19 restart in the middle", .composition = "the example, 825 particles, B-spline APIC USF",
-                          .measure = "restarts that end in other bits, of " + std::to_string(went_on) + " after " + std::to_string(killed) + " kills", .value = double(differ), .bound = 0,
-                          .unit = "restarts"});
+  bolide::verify::record({.section = "extremes", .problem = "19 restart in the middle",
+                          .composition = "the example, 825 particles, B-spline APIC USF",
+                          .measure = "restarts that end in other bits, of " + std::to_string(went_on) + " after " + std::to_string(killed) + " kills",
+                          .value = double(differ), .bound = 0, .unit = "restarts"});
 }
 
 #endif

@@ -17,7 +17,8 @@ TEST_F(Checkpoint, AnInterruptedRunKeepsItsStateAndGoesOn) {
   ASSERT_EQ(wait(child), 128 + SIGTERM) << read(folder / "err");
   ASSERT_EQ(run({"--out", "parts", "--restart", "parts/checkpoint.h5"}), 0) << read(folder / "err");
   const auto files = differing(results("whole"), results("parts"));
-  bolide::verify::record({.section = "extremes", .problem = "19 restart in the middle", .composition = "the example, 825 particles, B-spline APIC USF",
+  bolide::verify::record({.section = "extremes", .problem = "19 restart in the middle",
+                          .composition = "the example, 825 particles, B-spline APIC USF",
                           .measure = "interrupted once: results that differ in a bit", .value = files.empty() ? 0.0 : 1.0, .bound = 0, .unit = "runs"});
   EXPECT_EQ(files, "") << "the last row and frame of the interrupted run are taken off again";
 }
@@ -28,7 +29,8 @@ TEST_F(Checkpoint, AnotherRunAndBadValuesAreRefusedWithASentence) {
     std::vector<std::string> arguments;
     std::vector<std::string> names;
   } cases[] = {
-      {{"--restart", "a/checkpoint.h5", "--eos", "paper"}, {"--restart", "a/checkpoint.h5", "another composition", "eos is 'mixed' in the file and 'paper' here"}},
+      {{"--restart", "a/checkpoint.h5", "--eos", "paper"},
+       {"--restart", "a/checkpoint.h5", "another composition", "eos is 'mixed' in the file and 'paper' here"}},
       {{"--restart", "a/checkpoint.h5", "--tension", "1.6GPa"}, {"tension is '1.5GPa' in the file and '1.6GPa' here"}},
       {{"--restart", "a/checkpoint.h5", "--transfer", "flip"}, {"transfer is 'apic' in the file and 'flip' here"}},
       {{"--restart", "a/checkpoint.h5", "--precision", "float"}, {"precision is 'double' in the file and 'float' here"}},

@@ -23,7 +23,8 @@ namespace bolide {
 
 template <class A>
 concept Archive = requires(A& a, bool& flag, double& number, float& single, std::int64_t& whole, std::string& text, std::array<double, 3>& few,
-                           std::vector<double>& many, std::vector<float>& singles, std::vector<std::uint32_t>& ids, std::string (*what)(std::size_t)) {
+                           std::vector<double>& many, std::vector<float>& singles, std::vector<std::uint32_t>& ids,
+                           std::string (*what)(std::size_t)) {
   { A::reading } -> std::convertible_to<bool>;
   a.value("name", flag);
   a.value("name", number);

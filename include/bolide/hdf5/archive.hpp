@@ -88,7 +88,8 @@ template <class X> hid_t native_type() {
   else if constexpr (std::is_same_v<X, float>) return H5T_NATIVE_FLOAT;
   else if constexpr (std::is_same_v<X, double>) return H5T_NATIVE_DOUBLE;
   else {
-    static_assert(std::is_integral_v<X> && !std::is_same_v<X, bool>, "bolide: hdf5: value() takes numbers, enumerations, texts, arrays and vectors of numbers, and objects with archive()");
+    static_assert(std::is_integral_v<X> && !std::is_same_v<X, bool>,
+                  "bolide: hdf5: value() takes numbers, enumerations, texts, arrays and vectors of numbers, and objects with archive()");
     constexpr bool s = std::is_signed_v<X>;
     if constexpr (sizeof(X) == 1) return s ? H5T_NATIVE_INT8 : H5T_NATIVE_UINT8;
     else if constexpr (sizeof(X) == 2) return s ? H5T_NATIVE_INT16 : H5T_NATIVE_UINT16;
@@ -133,7 +134,8 @@ public:
     number("entries", entries);
     if constexpr (reading) {
       if (entries != entries_ - 1)
-        fail("holds " + std::to_string(entries) + " entries where this program reads " + std::to_string(entries_ - 1) + ": it was written by another version of bolide");
+        fail("holds " + std::to_string(entries) + " entries where this program reads " + std::to_string(entries_ - 1) +
+             ": it was written by another version of bolide");
     } else {
       groups_.clear();
       if (H5Fflush(file_.get(), H5F_SCOPE_LOCAL) < 0 || !file_.close()) fail("cannot be written: " + detail::reason());
@@ -214,7 +216,8 @@ private:
       if (!file) fail_at(path, "cannot be written: " + detail::reason());
       return file;
     } else {
-      if (std::error_code error; !std::filesystem::is_regular_file(path, error)) fail_at(path, "cannot be read: " + (error ? error.message() : std::string("it is no file")));
+      if (std::error_code error; !std::filesystem::is_regular_file(path, error))
+        fail_at(path, "cannot be read: " + (error ? error.message() : std::string("it is no file")));
       const htri_t known = H5Fis_hdf5(path.c_str());
       if (known == 0) fail_at(path, "is no HDF5 file");
       detail::handle file(known > 0 ? H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()) : H5I_INVALID_HID, H5Fclose);
@@ -256,7 +259,8 @@ private:
       const detail::handle a(H5Aopen(of, name.c_str(), H5P_DEFAULT), H5Aclose);
       if (!a) trouble(name);
       const detail::handle space(H5Aget_space(a.get()), H5Sclose), kept(H5Aget_type(a.get()), H5Tclose);
-      if (H5Sget_simple_extent_npoints(space.get()) != static_cast<hssize_t>(n) || !same_kind(kept.get(), type)) fail("has another kind of number in " + full(name));
+      if (H5Sget_simple_extent_npoints(space.get()) != static_cast<hssize_t>(n) || !same_kind(kept.get(), type))
+        fail("has another kind of number in " + full(name));
       if (H5Aread(a.get(), type, x) < 0) trouble(name);
     } else {
       const hsize_t size = n;

@@ -7,8 +7,8 @@
 //
 // save   writes aside, flushes to the disk and renames (observe/durable_file.hpp): whenever the program is killed, run.h5 is a whole
 //        checkpoint. The one before stays as run_previous.h5. Throws observe::output_error and leaves both as they were.
-// restore   takes a solver that was composed as the one that was saved, before or after its first step. A file that is damaged, foreign, of another version
-//        or of another composition is refused with a checkpoint_error that says what is there and what is here; the solver must not be used then.
+// restore   takes a solver that was composed as the one that was saved, before or after its first step. A file that is damaged, foreign,
+//        of another version or of another composition is refused with a checkpoint_error that says what is there and what is here; the solver must not be used then.
 // Saving changes nothing of a run. Cost: bytes per particle are those of its columns, and of its block ranges; see docs/checkpoint.md.
 #pragma once
 

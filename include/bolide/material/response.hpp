@@ -2,8 +2,8 @@
 // What a material answers to a fixed set of states: a fingerprint of its models and their parameters that needs to know neither.
 //
 // The constitutive update is run on single particles of densities from 800 to 20,000 kg/m3 and energies from 0 to 8 MJ/kg that have
-// yielded by 0.3 and are compressed, stretched and sheared by some 2 %; every column of the result is recorded. Where the material can fail, the density at which
-// stretched material starts to fail is found by bisection for two energies, and the energy at which it fails at one density. A changed
+// yielded by 0.3 and are compressed, stretched and sheared by some 2 %; every column of the result is recorded. Where the material can fail, the
+// density at which stretched material starts to fail is found by bisection for two energies, and the energy at which it fails at one density. A changed
 // parameter of the equation of state, strength, viscosity or failure law moves some of these numbers, unless it acts in other states only
 // (a fracture strain that is never reached, say). The same numbers come out on every machine but for rounding.
 // Cost: some 300 updates of one particle; for checks when a run starts, not for the time loop.
@@ -75,9 +75,9 @@ private:
     const columns p = answer(at);
     const auto record_fields = [&]<class... F>(fields<F...>) {
       const auto one = [&]<class Tag>(Tag) {
-        for (int c = 0; c < Space::components(Tag::order); ++c)
-          numbers_.push_back({static_cast<double>(p.template get<Tag>(c)[0]), std::string(Tag::name) + " (" + Tag::unit + ") after a strain of " + to_text(at.strain) +
-                                                                                  " at " + to_text(at.density) + " kg/m3 and " + to_text(at.energy) + " J/kg"});
+        const std::string what = std::string(Tag::name) + " (" + Tag::unit + ") after a strain of " + to_text(at.strain) + " at " + to_text(at.density) +
+                                 " kg/m3 and " + to_text(at.energy) + " J/kg";
+        for (int c = 0; c < Space::components(Tag::order); ++c) numbers_.push_back({static_cast<double>(p.template get<Tag>(c)[0]), what});
       };
       (one(F{}), ...);
     };

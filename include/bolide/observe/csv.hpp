@@ -63,7 +63,8 @@ class csv_table {
  public:
   /// Opens `path` anew and writes the header. With a mark the table goes on from there: rows that were written after it are taken off. A
   /// file that is not there is begun anew; one that is shorter than the mark or has another header is refused.
-  csv_table(const std::filesystem::path& path, const std::vector<std::string>& header, const csv_mark& from = {}) : path_(path), columns_(header.size()) {
+  csv_table(const std::filesystem::path& path, const std::vector<std::string>& header, const csv_mark& from = {})
+      : path_(path), columns_(header.size()) {
     require(!header.empty(), "columns of the table " + path.string(), 0, "at least 1");
     make_folder_of(path);
     const std::string first = line(std::vector<csv_cell>(header.begin(), header.end()));
@@ -113,7 +114,8 @@ class csv_table {
     std::ifstream(path_, std::ios::binary).read(there.data(), static_cast<std::streamsize>(there.size()));
     if (error || size < from.bytes || there != header)
       throw output_error("the table " + path_.string() +
-                         (there != header ? " has another header than the one" : " has " + std::to_string(size) + " bytes, fewer than the " + std::to_string(from.bytes)) +
+                         (there != header ? " has another header than the one"
+                                          : " has " + std::to_string(size) + " bytes, fewer than the " + std::to_string(from.bytes)) +
                          " that the checkpoint goes on from");
     std::filesystem::resize_file(path_, from.bytes, error);
     if (error) throw output_error("cannot shorten the table " + path_.string() + ": " + error.message());

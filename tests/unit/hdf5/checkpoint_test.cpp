@@ -35,7 +35,8 @@ void write(const fs::path& path, const std::string& bytes) { std::ofstream(path,
 
 class Checkpoint : public testing::Test {
 protected:
-  fs::path folder = fs::path(testing::TempDir()) / ("bolide_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + "_" + std::to_string(::getpid()));
+  fs::path folder = fs::path(testing::TempDir()) /
+                    ("bolide_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + "_" + std::to_string(::getpid()));
   fs::path file = folder / "run.h5";
   void SetUp() override { fs::create_directories(folder); }
   void TearDown() override { fs::remove_all(folder); }
@@ -53,8 +54,10 @@ template <class Method> auto cheap_scene(const cheap& how = {}) {
   const initial_state at{2785, 0};
   controls<typename Method::scalar> c;
   c.courant = how.courant;
-  const body flyer{how.name, box{point{-1 * mm}, point{0}}, medium, 0.05 * mm, at, point{600.}}, plate{"plate", box{point{0}, point{1 * mm}}, medium, 0.05 * mm, at};
-  solver sim{space::planar_1d{}, grid::sparse{how.cell}, typename Method::shape_type{}, typename Method::transfer_type{}, typename Method::scheme_type{}, c, flyer, plate};
+  const body flyer{how.name, box{point{-1 * mm}, point{0}}, medium, 0.05 * mm, at, point{600.}};
+  const body plate{"plate", box{point{0}, point{1 * mm}}, medium, 0.05 * mm, at};
+  solver sim{space::planar_1d{}, grid::sparse{how.cell}, typename Method::shape_type{}, typename Method::transfer_type{}, typename Method::scheme_type{}, c, flyer,
+             plate};
   sim.add(grid::mirror{0, how.wall, true});
   if (how.second_wall) sim.add(grid::mirror{0, 4 * mm, false});
   leaving_box<1> b;
@@ -165,7 +168,8 @@ TEST_F(Checkpoint, AnotherCompositionIsRefusedWithASentenceThatNamesBoth) {
   const std::string path = file.string(), other = "of another composition";
   expect_names(refusal(file, cheap_scene<linear_flip_musl>()), {path, other, "scheme is 'usf' in the file and 'musl' here"});
   expect_names(refusal(file, cheap_scene<bspline_flip_usf>()), {path, other, "shape is 'linear' in the file and 'bspline' here"});
-  expect_names(refusal(file, cheap_scene<method<shape::linear, transfer::flip, scheme::usf, float>>()), {path, other, "precision is 'double' in the file and 'float' here"});
+  expect_names(refusal(file, cheap_scene<method<shape::linear, transfer::flip, scheme::usf, float>>()),
+               {path, other, "precision is 'double' in the file and 'float' here"});
   expect_names(refusal(file, small_flyer<linear_flip_usf>()), {path, other, "mirror"});
   expect_names(refusal(file, small_impact<linear_flip_usf>()), {path, other, "space is 'planar_1d' in the file and 'axisymmetric' here"});
   expect_names(refusal(file, cheap_scene<linear_flip_usf>({.cell = 0.2 * mm})), {path, other, "cell size is 1e-04 m in the file and 2e-04 m here"});
@@ -175,11 +179,13 @@ TEST_F(Checkpoint, AnotherCompositionIsRefusedWithASentenceThatNamesBoth) {
   expect_names(refusal(file, cheap_scene<linear_flip_usf>({.box = true})), {path, other, "leaving box is 'none' in the file and '-1 .. 1 m' here"});
   expect_names(refusal(file, cheap_scene<linear_flip_usf>({.name = "disc"})), {path, other, "body_0/name is 'flyer' in the file and 'disc' here"});
   expect_names(refusal(file, cheap_scene<linear_flip_usf>({.gamma = 4.4001})), {path, other, "body_0/material", "at 800 kg/m3", "in the file and"});
-  expect_names(refusal(file, cheap_scene<linear_flip_usf>({.tension = 1.001e9})), {path, other, "body_0/material", "density at which stretched material"});
+  expect_names(refusal(file, cheap_scene<linear_flip_usf>({.tension = 1.001e9})),
+               {path, other, "body_0/material", "density at which stretched material"});
 }
 TEST_F(Checkpoint, AChangedConstantOfAnyModelIsNoticed) {
   const auto with = [](strength::johnson_cook strength, failure::tension_or_melt failure, viscosity::bulk viscosity) {
-    return small_impact<bspline_apic_usf>(material{eos::isentrope_temperature{eos::mie_grueneisen{{.constant_gamma = true}}}, strength, failure, viscosity});
+    return small_impact<bspline_apic_usf>(
+        material{eos::isentrope_temperature{eos::mie_grueneisen{{.constant_gamma = true}}}, strength, failure, viscosity});
   };
   const strength::johnson_cook strength;
   const failure::tension_or_melt fails{1.5e9};
@@ -199,7 +205,8 @@ TEST_F(Checkpoint, AChangedConstantOfAnyModelIsNoticed) {
   expect_names(changed([](auto& s) { s.shear_modulus *= 1.001; }), {"body_0/material"});
   expect_names(refusal(file, with(strength, failure::tension_or_melt{1.501e9}, viscosity::bulk{})), {"body_0/material", "fails"});
   expect_names(refusal(file, with(strength, fails, viscosity::bulk{1.5, 0.07})), {"body_0/material", "viscous_pressure"});
-  expect_names(refusal(file, small_impact<bspline_apic_usf>(aluminium(), transfer::apic{.heat = 0})), {"heat of the transfer is 1 in the file and 0 here"});
+  expect_names(refusal(file, small_impact<bspline_apic_usf>(aluminium(), transfer::apic{.heat = 0})),
+               {"heat of the transfer is 1 in the file and 0 here"});
 }
 
 TEST_F(Checkpoint, FilesThatAreNoneAreRefused) {

@@ -83,7 +83,9 @@ TYPED_TEST(Archive, ARunGoesOnToTheSameBitsFromEveryStep) {
     EXPECT_EQ(difference(at[static_cast<std::size_t>(k)], listed(again)), "") << "what was put back, step " << k;
     for (int i = k; i < steps; ++i) again.step();
     EXPECT_EQ(difference(comparable(at.back()), comparable(listed(again))), "") << "from step " << k;
-    again.for_each_body([&](const auto& a) { EXPECT_EQ(a.columns.size(), entry_size<std::uint32_t>(at.back(), "phases/body_" + std::to_string(a.first_id > 0) + "/columns/id")); });
+    again.for_each_body([&](const auto& a) {
+      EXPECT_EQ(a.columns.size(), entry_size<std::uint32_t>(at.back(), "phases/body_" + std::to_string(a.first_id > 0) + "/columns/id"));
+    });
     EXPECT_EQ(again.time(), sim.time());
   }
 }
@@ -105,7 +107,8 @@ auto other_models() {
   const initial_state at{2785, 0};
   const body upper{"upper", box{point{0, 0}, point{0.8 * mm, 0.4 * mm}}, aluminium(), 0.05 * mm, at, point{300., -500.}};
   const body lower{"lower", box{point{0, -0.4 * mm}, point{0.8 * mm, 0}}, aluminium(), 0.05 * mm, at, point{0, 500.}};
-  solver sim{space::plane_strain{}, grid::uniform{0.1 * mm}, shape::gimp{}, transfer::flip{}, scheme::usf{}, contact::frictional{0.3}, c, upper, lower};
+  solver sim{space::plane_strain{}, grid::uniform{0.1 * mm}, shape::gimp{}, transfer::flip{}, scheme::usf{}, contact::frictional{0.3}, c, upper,
+             lower};
   sim.add(grid::periodic{0, 0.0, 0.8 * mm});
   sim.add(grid::moving_wall{.axis = 1, .position = -0.6 * mm, .velocity = 400, .material_above = true});
   sim.add(body_force{[](const point& x, double t) { return point{1e9 * std::sin(1e4 * x[1] + 1e7 * t), 0}; }});
