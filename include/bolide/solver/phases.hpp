@@ -138,7 +138,7 @@ public:
     if constexpr (keeps_raw) each_node([this](std::size_t i) {
       for (int d = 0; d < dim; ++d) raw_[i].set(d, motion_[i][d] + motion_[i][dim + d]);
     });
-    if constexpr (Transfer::affine) nodal_work();
+    if constexpr (Transfer::affine) nodal_work(sum_over_nodes([this](std::size_t i) { return power_of(forces_, i); }));
   }
 
   /// New particle velocities; what the scheme or the transfer needs back on the nodes.
@@ -168,12 +168,13 @@ public:
     finish_kinetic();
     if constexpr (maps_back) {
       complete(back_, 0);
-      each_node([this](std::size_t i) {
-        if (!(sums_[i][0] > T(0))) return;
+      const double power = sum_over_nodes([this](std::size_t i) {
+        if (!(sums_[i][0] > T(0))) return 0.0;
         for (int d = 0; d < dim; ++d) motion_[i].set(dim + d, back_[i][d] / sums_[i][0]); // FLIP: dv~ = sum N m dv_p / m_I; APIC: v'_I
+        return Transfer::affine ? 0.0 : power_of(forces_, i);
       });
+      if constexpr (!Transfer::affine) nodal_work(power);
     }
-    if constexpr (!Transfer::affine) nodal_work();
   }
 
   /// Work of the nodal forces to the particles, stress where it is updated last, and motion.
@@ -482,22 +483,25 @@ private:
     }
   }
 
-  /// W = dt sum f.(v + dv/2) over the real nodes, f a column of nodal forces.
-  double work_of(const std::vector<forces>& f) {
-    each_node([this, &f](std::size_t i) {
-      if (!(sums_[i][0] > T(0)) || is_image(i)) return 0.0;
-      double power = 0;
-      for (int d = 0; d < dim; ++d)
-        power += static_cast<double>(f[i][d]) * ((Transfer::affine ? 0.5 : 1) * static_cast<double>(motion_[i][d]) + 0.5 * static_cast<double>(motion_[i][dim + d]));
-      return power;
-    });
-    double work = 0;
-    for (const double part : node_sums_) work += part;
-    return work * static_cast<double>(dt);
+  /// f.(v + dv/2) of a real node, f a column of nodal forces.
+  double power_of(const std::vector<forces>& f, std::size_t i) const {
+    if (!(sums_[i][0] > T(0)) || is_image(i)) return 0;
+    double power = 0;
+    for (int d = 0; d < dim; ++d)
+      power += static_cast<double>(f[i][d]) * ((Transfer::affine ? 0.5 : 1) * static_cast<double>(motion_[i][d]) + 0.5 * static_cast<double>(motion_[i][dim + d]));
+    return power;
   }
-  /// The work of the stress leaves the nodes for the particles' energy: transfer loses and mismatch gains it. That of body forces comes from outside.
-  void nodal_work() {
-    const double work = work_of(forces_);
+  /// Sum of f(index) over the touched nodes, in the order of the blocks.
+  template <class F> double sum_over_nodes(F&& f) {
+    each_node(f);
+    double sum = 0;
+    for (const double part : node_sums_) sum += part;
+    return sum;
+  }
+  /// The work of the stress leaves the nodes for the particles' energy: transfer loses and mismatch gains it. That of other forces has channels of
+  /// its own.
+  void nodal_work(double power) {
+    const double work = power * static_cast<double>(dt);
     energy.transfer -= work;
     energy.work_mismatch += work;
     if (!body_forces.empty()) book(external_, energy.body_work);
@@ -509,7 +513,7 @@ private:
   }
   /// Books the work of a column of forces in a channel of its own instead of in `transfer`.
   void book(const std::vector<forces>& f, double& channel) {
-    const double work = work_of(f);
+    const double work = sum_over_nodes([this, &f](std::size_t i) { return power_of(f, i); }) * static_cast<double>(dt);
     energy.transfer -= work;
     channel += work;
   }
@@ -601,10 +605,9 @@ private:
     }
   }
   void count_wall_momentum() {
-    for (int d = 0; d < dim; ++d) {
-      each_node([this, d](std::size_t i) { return sums_[i][0] > T(0) && !is_image(i) ? static_cast<double>(wall_forces_[i][d]) : 0.0; });
-      for (const double part : node_sums_) energy.momentum_given[static_cast<std::size_t>(d)] += part * static_cast<double>(dt);
-    }
+    for (int d = 0; d < dim; ++d)
+      energy.momentum_given[static_cast<std::size_t>(d)] +=
+          static_cast<double>(dt) * sum_over_nodes([this, d](std::size_t i) { return sums_[i][0] > T(0) && !is_image(i) ? static_cast<double>(wall_forces_[i][d]) : 0.0; });
   }
 
   /// sum N m b(x_p, t), and the momentum that it gives.
