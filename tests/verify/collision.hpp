@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Elastic bodies that collide in plane strain: what each transfer and scheme keeps of mass, momentum, angular momentum and energy.
 //
-// Discs (Sulsky, Chen, Schreyer 1994): E 1000, nu 0.3, rho 1000, R 0.2 at (0.25, 0.25) and (0.75, 0.75), +-0.1 m/s on both axes, cells 0.05, to 3.5 s.
+// Discs (Sulsky, Chen, Schreyer 1994): E 1000, nu 0.3, rho 1000, R 0.2 at (0.25, 0.25) and (0.75, 0.75), +-0.1 m/s on both axes, cells 0.05, to 3.5
+// s.
 //   Kinetic energy pi R^2 rho v^2 = 2.513 J per metre at the start.
 // Rings (the ladder of a public suite): E 100 MPa, nu 0.2, rho 1000, 3 m < r < 4 m, +-30 m/s, cells 0.2 m, to 0.2 s. The centres start at
 //   (-+4.2, -+offset): head-on with offset 0, with angular momentum otherwise.
@@ -31,18 +32,34 @@ template <class Method> controls<typename Method::scalar> collision_controls() {
 template <class Method> auto colliding_discs(const typename Method::transfer_type& transfer, double h = 0.05) {
   const auto solid = elastic({1000, 0.3, 1000});
   const initial_state at{1000, 0};
-  const body a{"lower", shell{plane{0.25, 0.25}, 0, 0.2}, solid, h / 2, at, plane{0.1, 0.1}}, b{"upper", shell{plane{0.75, 0.75}, 0, 0.2}, solid, h / 2, at, plane{-0.1, -0.1}};
-  return solver{space::plane_strain{}, grid::sparse{h}, typename Method::shape_type{}, transfer, typename Method::scheme_type{}, collision_controls<Method>(), a, b};
+  const body a{"lower", shell{plane{0.25, 0.25}, 0, 0.2}, solid, h / 2, at, plane{0.1, 0.1}},
+      b{"upper", shell{plane{0.75, 0.75}, 0, 0.2}, solid, h / 2, at, plane{-0.1, -0.1}};
+  return solver{space::plane_strain{},
+                grid::sparse{h},
+                typename Method::shape_type{},
+                transfer,
+                typename Method::scheme_type{},
+                collision_controls<Method>(),
+                a,
+                b};
 }
 
 /// `mirrored`: x to -x; `boost`: the frame moves.
-template <class Method> auto colliding_rings(const typename Method::transfer_type& transfer, double offset = 0, bool mirrored = false, const plane& boost = plane{0, 0}) {
+template <class Method>
+auto colliding_rings(const typename Method::transfer_type& transfer, double offset = 0, bool mirrored = false, const plane& boost = plane{0, 0}) {
   const double h = 0.2, side = mirrored ? -1 : 1;
   const auto solid = elastic({100e6, 0.2, 1000});
   const initial_state at{1000, 0};
   const body a{"first", shell{plane{-4.2 * side, -offset}, 3, 4}, solid, h / 2, at, plane(boost + plane{30 * side, 0})},
       b{"second", shell{plane{4.2 * side, offset}, 3, 4}, solid, h / 2, at, plane(boost + plane{-30 * side, 0})};
-  return solver{space::plane_strain{}, grid::sparse{h}, typename Method::shape_type{}, transfer, typename Method::scheme_type{}, collision_controls<Method>(), a, b};
+  return solver{space::plane_strain{},
+                grid::sparse{h},
+                typename Method::shape_type{},
+                transfer,
+                typename Method::scheme_type{},
+                collision_controls<Method>(),
+                a,
+                b};
 }
 
 struct sums {
@@ -55,19 +72,21 @@ template <class Solver, class Method> sums sums_of(const Solver& sim, Method) {
     const auto& p = s.columns;
     for (std::size_t i = 0; i < p.size(); ++i) {
       const double m = p.template get<field::mass>()[i];
-      const plane x{p.template get<field::position>(0)[i], p.template get<field::position>(1)[i]}, v{p.template get<field::velocity>(0)[i], p.template get<field::velocity>(1)[i]};
+      const plane x{p.template get<field::position>(0)[i], p.template get<field::position>(1)[i]},
+          v{p.template get<field::velocity>(0)[i], p.template get<field::velocity>(1)[i]};
       r.mass += m;
       r.momentum += m * v;
       r.angular += m * (x[0] * v[1] - x[1] * v[0]);
       if constexpr (std::remove_cvref_t<decltype(p)>::template has<field::affine_velocity>)
-        r.angular += m * Method::shape_type::inertia * square(sim.cell()) * (p.template get<field::affine_velocity>(2)[i] - p.template get<field::affine_velocity>(1)[i]);
+        r.angular += m * Method::shape_type::inertia * square(sim.cell()) *
+                     (p.template get<field::affine_velocity>(2)[i] - p.template get<field::affine_velocity>(1)[i]);
     }
   });
   return r;
 }
 
 struct collision {
-  double kinetic = 0, total = 0;      // kinetic energy and kinetic + internal energy at the end over the kinetic energy at the start
+  double kinetic = 0, total = 0;                // kinetic energy and kinetic + internal energy at the end over the kinetic energy at the start
   double drift = 0, residual = 0, transfer = 0; // of the ledger, over the same
   double mass = 0, momentum = 0, angular = 0;   // changes: over the mass, over sum m |v|, over the angular momentum at the start
   double seconds = 0;
@@ -111,22 +130,38 @@ template <class Method> collision check_conservation(const typename Method::tran
   auto sim = colliding_rings<Method>(t, 1);
   const auto r = collide<Method>(sim, until);
   const std::string who = composition_of<Method>(t) + (heat > 0 ? ", loss as heat" : ", loss dropped");
-  record({.section = "energy drift", .problem = "elastic rings, oblique", .composition = who, .measure = "total energy gained over the initial energy", .value = r.drift,
-          .bound = heat > 0 || std::string(Method::transfer_type::name) == "flip" ? 1e-12 : none, .seconds = r.seconds});
-  record({.section = "conservation", .problem = "elastic rings, oblique", .composition = who, .measure = "angular momentum, relative change", .value = r.angular,
-          .bound = Method::transfer_type::affine ? 1e-11 : none, .seconds = r.seconds});
-  record({.section = "conservation", .problem = "elastic rings, oblique", .composition = who, .measure = "momentum over sum m |v|", .value = r.momentum, .bound = 1e-12});
-  record({.section = "conservation", .problem = "elastic rings, oblique", .composition = who, .measure = "residual of the ledger over the initial energy", .value = r.residual, .bound = 1e-12});
+  record({.section = "energy drift",
+          .problem = "elastic rings, oblique",
+          .composition = who,
+          .measure = "total energy gained over the initial energy",
+          .value = r.drift,
+          .bound = heat > 0 || std::string(Method::transfer_type::name) == "flip" ? 1e-12 : none,
+          .seconds = r.seconds});
+  record({.section = "conservation",
+          .problem = "elastic rings, oblique",
+          .composition = who,
+          .measure = "angular momentum, relative change",
+          .value = r.angular,
+          .bound = Method::transfer_type::affine ? 1e-11 : none,
+          .seconds = r.seconds});
+  record({.section = "conservation",
+          .problem = "elastic rings, oblique",
+          .composition = who,
+          .measure = "momentum over sum m |v|",
+          .value = r.momentum,
+          .bound = 1e-12});
+  record({.section = "conservation",
+          .problem = "elastic rings, oblique",
+          .composition = who,
+          .measure = "residual of the ledger over the initial energy",
+          .value = r.residual,
+          .bound = 1e-12});
   EXPECT_EQ(r.mass, 0) << who;
   EXPECT_LT(r.momentum, 1e-12) << who;
   EXPECT_LT(std::abs(r.residual), 1e-12) << who;
-  if (heat > 0) {
-    EXPECT_LT(std::abs(r.drift), 1e-12) << who;
-  }
+  if (heat > 0) { EXPECT_LT(std::abs(r.drift), 1e-12) << who; }
   EXPECT_LT(r.drift, 1e-12) << who << ": dropping the loss must not gain energy";
-  if (Method::transfer_type::affine) {
-    EXPECT_LT(std::abs(r.angular), 1e-11) << who;
-  }
+  if (Method::transfer_type::affine) { EXPECT_LT(std::abs(r.angular), 1e-11) << who; }
   return r;
 }
 
@@ -137,11 +172,24 @@ template <class Method> double left_by(const typename Method::transfer_type& tra
   auto discs = colliding_discs<Method>(t);
   const auto r = collide<Method>(rings, 0.2), d = collide<Method>(discs, 3.5);
   const std::string who = composition_of<Method>(t);
-  record({.section = "solids", .problem = "colliding rings, head-on, loss dropped", .composition = who, .measure = "kinetic and strain energy at 0.2 s over the start", .value = r.total,
+  record({.section = "solids",
+          .problem = "colliding rings, head-on, loss dropped",
+          .composition = who,
+          .measure = "kinetic and strain energy at 0.2 s over the start",
+          .value = r.total,
           .seconds = r.seconds});
-  record({.section = "solids", .problem = "colliding discs, loss dropped", .composition = who, .measure = "kinetic energy at 3.5 s over the start (2.513 J/m)", .value = d.kinetic,
+  record({.section = "solids",
+          .problem = "colliding discs, loss dropped",
+          .composition = who,
+          .measure = "kinetic energy at 3.5 s over the start (2.513 J/m)",
+          .value = d.kinetic,
           .seconds = d.seconds});
-  record({.section = "solids", .problem = "colliding discs, loss dropped", .composition = who, .measure = "momentum over sum m |v|", .value = d.momentum, .bound = 1e-12});
+  record({.section = "solids",
+          .problem = "colliding discs, loss dropped",
+          .composition = who,
+          .measure = "momentum over sum m |v|",
+          .value = d.momentum,
+          .bound = 1e-12});
   EXPECT_LT(d.momentum, 1e-12) << who;
   EXPECT_LT(r.momentum, 1e-12) << who;
   EXPECT_LT(std::abs(r.residual), 1e-12) << who;

@@ -17,8 +17,13 @@ TEST(Transfers, LinearUsfPicIsStoppedByTheEnergyBound) {
   const auto t = with_heat(transfer::pic{}, 0);
   auto rings = colliding_rings<tested>(t, 1);
   EXPECT_THROW(collide<tested>(rings, 0.2), run_stopped);
-  verify::record({.section = "solids", .problem = "elastic rings, oblique, loss dropped", .composition = composition_of<tested>(t), .measure = "time reached of 0.2 s", .value = rings.time(),
-                  .unit = "s", .note = "reported: stopped by the energy bound; take a smooth shape, MUSL or FLIP"});
+  verify::record({.section = "solids",
+                  .problem = "elastic rings, oblique, loss dropped",
+                  .composition = composition_of<tested>(t),
+                  .measure = "time reached of 0.2 s",
+                  .value = rings.time(),
+                  .unit = "s",
+                  .note = "reported: stopped by the energy bound; take a smooth shape, MUSL or FLIP"});
 }
 
 } // namespace

@@ -10,9 +10,7 @@ template <class Method> class Collision : public testing::Test {};
 using methods = testing::Types<bspline_flip_musl, bspline_apic_usf>;
 TYPED_TEST_SUITE(Collision, methods, method_names);
 
-TYPED_TEST(Collision, KeepsWhatItPromises) {
-  check_conservation<TypeParam>(typename TypeParam::transfer_type{}, 1, 0.1);
-}
+TYPED_TEST(Collision, KeepsWhatItPromises) { check_conservation<TypeParam>(typename TypeParam::transfer_type{}, 1, 0.1); }
 
 /// Rings started as mirror images stay mirror images but for the order of sums.
 TYPED_TEST(Collision, MirrorImageOfTheSceneGivesTheMirrorImage) {
@@ -32,8 +30,13 @@ TYPED_TEST(Collision, MirrorImageOfTheSceneGivesTheMirrorImage) {
         worst = std::max(worst, (plane{-x[i][0], x[i][1]} - y[j]).norm());
       }
   EXPECT_EQ(found, x.size());
-  verify::record({.section = "symmetry", .problem = "elastic rings, mirror image", .composition = composition<TypeParam>("plane_strain"), .measure = "largest distance from the image",
-          .value = worst, .bound = 1e-10, .unit = "m"});
+  verify::record({.section = "symmetry",
+                  .problem = "elastic rings, mirror image",
+                  .composition = composition<TypeParam>("plane_strain"),
+                  .measure = "largest distance from the image",
+                  .value = worst,
+                  .bound = 1e-10,
+                  .unit = "m"});
   EXPECT_LT(worst, 1e-10);
 }
 
@@ -54,10 +57,18 @@ TYPED_TEST(Collision, BoostedFrameSeesTheSameCollision) {
   for (const auto& v : va) ka += v.squaredNorm();
   each_velocity(b, [&](std::uint32_t, double, const plane& v) { kb += (v - boost).squaredNorm(); });
   const double shift = std::sqrt(squares / static_cast<double>(xa.size()));
-  verify::record({.section = "symmetry", .problem = "elastic rings, boost 25 m/s on both axes", .composition = composition<TypeParam>("plane_strain"),
-          .measure = "RMS difference of positions after the collision over the cell", .value = shift / 0.2, .bound = 0.5});
-  verify::record({.section = "symmetry", .problem = "elastic rings, boost 25 m/s on both axes", .composition = composition<TypeParam>("plane_strain"),
-          .measure = "kinetic energy in the frame of the rings, relative difference", .value = kb / ka - 1, .bound = 0.1});
+  verify::record({.section = "symmetry",
+                  .problem = "elastic rings, boost 25 m/s on both axes",
+                  .composition = composition<TypeParam>("plane_strain"),
+                  .measure = "RMS difference of positions after the collision over the cell",
+                  .value = shift / 0.2,
+                  .bound = 0.5});
+  verify::record({.section = "symmetry",
+                  .problem = "elastic rings, boost 25 m/s on both axes",
+                  .composition = composition<TypeParam>("plane_strain"),
+                  .measure = "kinetic energy in the frame of the rings, relative difference",
+                  .value = kb / ka - 1,
+                  .bound = 0.1});
   EXPECT_LT(shift / 0.2, 0.5);
   EXPECT_NEAR(kb / ka, 1, 0.1);
 }

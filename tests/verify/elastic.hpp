@@ -43,7 +43,8 @@ struct moduli {
   double shear_speed() const { return std::sqrt(shear() / rho); }
 };
 inline auto elastic(const moduli& m) {
-  return material{linear_solid{m.bulk(), m.rho}, strength::elastic_perfectly_plastic{m.shear(), std::numeric_limits<double>::infinity()}, failure::none{}, viscosity::none{}};
+  return material{linear_solid{m.bulk(), m.rho}, strength::elastic_perfectly_plastic{m.shear(), std::numeric_limits<double>::infinity()},
+                  failure::none{}, viscosity::none{}};
 }
 
 /// "axisymmetric, quadratic_bspline, apic, usf, double"

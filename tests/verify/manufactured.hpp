@@ -1,22 +1,25 @@
 // SPDX-License-Identifier: MIT
 // Manufactured solutions for an elastic solid: a motion is chosen and the body force that makes it a solution is derived. Plane strain unless said.
 //
-// Material: hypoelastic, Jaumann rate with G, and p = K ln(rho/rho0). Where the principal axes of stretch do not turn against the material, the deviator
-// is 2 G times that of the logarithmic strain, so sigma_i = (K - 2/3 G) ln J + 2 G ln lambda_i (lambda_i the principal stretches, J their product).
-// In simple shear g the rate gives sigma_12 = G sin g, sigma_11 = -sigma_22 = G (1 - cos g), 1 the direction of the motion (strength/elastic.hpp).
+// Material: hypoelastic, Jaumann rate with G, and p = K ln(rho/rho0). Where the principal axes of stretch do not turn against the material, the
+// deviator is 2 G times that of the logarithmic strain, so sigma_i = (K - 2/3 G) ln J + 2 G ln lambda_i (lambda_i the principal stretches, J their
+// product). In simple shear g the rate gives sigma_12 = G sin g, sigma_11 = -sigma_22 = G (1 - cos g), 1 the direction of the motion
+// (strength/elastic.hpp).
 //
 // Vortex (after Kamojjala, Brannon et al. 2015): ring 0.75 < R < 1.25, every circle turns as a whole by
 //   alpha(R, t) = A sin(c pi t) h(R),  h = (1 - 16 (R - 1)^2)^2,
-// so F = Q(alpha) (I + g e_t e_r), g = R alpha', J = 1: simple shear g in a turning frame, which an objective rate does not feel. At the current point, r = R:
+// so F = Q(alpha) (I + g e_t e_r), g = R alpha', J = 1: simple shear g in a turning frame, which an objective rate does not feel. At the current
+// point, r = R:
 //   b_r = -r alpha_t^2 + G/rho (sin g g' + 2 (1 - cos g)/r),   b_t = r alpha_tt - G/rho (cos g g' + 2 sin g/r).
-// Both rims stay where they are and carry no stress. Public suites take A = 1 and a neo-Hookean material: g is then 7, where the Jaumann rate has long
-// turned soft (pi/2). Here A = 1/8, g up to 0.88.
+// Both rims stay where they are and carry no stress. Public suites take A = 1 and a neo-Hookean material: g is then 7, where the Jaumann rate has
+// long turned soft (pi/2). Here A = 1/8, g up to 0.88.
 //
-// Expanding ring (after Wallstedt and Guilkey 2008): r = R + A sin(w t) f(R), f = 1 + (3 s^2 - 2 s^3)/4, s from 0 to 1 through the wall; f' = 0 at both rims
-// and nu = 0 (K = 2/3 G), so that sigma_rr = 2 G ln lambda_r leaves them free. With lambda_r = 1 + A sin(w t) f', lambda_t = r/R:
+// Expanding ring (after Wallstedt and Guilkey 2008): r = R + A sin(w t) f(R), f = 1 + (3 s^2 - 2 s^3)/4, s from 0 to 1 through the wall; f' = 0 at
+// both rims and nu = 0 (K = 2/3 G), so that sigma_rr = 2 G ln lambda_r leaves them free. With lambda_r = 1 + A sin(w t) f', lambda_t = r/R:
 //   b_r = r_tt - J/rho0 (sigma_rr,R / lambda_r + (sigma_rr - sigma_tt)/r). The same in plane strain and in a slab of r-z.
 //
-// Axis-aligned (after Steffen et al. 2008): x_i = X_i + A sin(pi X_i) sin(c pi t + phase_i) in the unit square; the faces stay where they are (mirrors).
+// Axis-aligned (after Steffen et al. 2008): x_i = X_i + A sin(pi X_i) sin(c pi t + phase_i) in the unit square; the faces stay where they are
+// (mirrors).
 //   b_i = x_i,tt - J/(rho0 lambda_i) (K + 4/3 G) lambda_i,i / lambda_i.
 // manufactured_test.cpp holds each force against finite differences of its stress, and each stress against the rate integrated along the motion.
 #pragma once
@@ -45,7 +48,8 @@ struct logarithmic_solid {
 };
 static_assert(EquationOfState<logarithmic_solid>);
 inline auto logarithmic(const moduli& m) {
-  return material{logarithmic_solid{m.bulk(), m.rho}, strength::elastic_perfectly_plastic{m.shear(), std::numeric_limits<double>::infinity()}, failure::none{}, viscosity::none{}};
+  return material{logarithmic_solid{m.bulk(), m.rho}, strength::elastic_perfectly_plastic{m.shear(), std::numeric_limits<double>::infinity()},
+                  failure::none{}, viscosity::none{}};
 }
 
 /// Components along and across the radius at x, in x and y.
@@ -74,12 +78,15 @@ struct vortex {
   static double h(double r) { return std::abs(r - 1) < 0.25 ? square(1 - 16 * square(r - 1)) : 0; }
   static double slope(double r) { return std::abs(r - 1) < 0.25 ? -64 * (r - 1) * (1 - 16 * square(r - 1)) : 0; }
   static double curvature(double r) { return std::abs(r - 1) < 0.25 ? -64 * (1 - 48 * square(r - 1)) : 0; }
-  plane turned(const plane& x, double angle) const { return {std::cos(angle) * x[0] - std::sin(angle) * x[1], std::sin(angle) * x[0] + std::cos(angle) * x[1]}; }
+  plane turned(const plane& x, double angle) const {
+    return {std::cos(angle) * x[0] - std::sin(angle) * x[1], std::sin(angle) * x[0] + std::cos(angle) * x[1]};
+  }
 
   plane position(const plane& x, double t) const { return turned(x, amplitude * std::sin(rate() * t) * h(x.norm())); }
   plane reference(const plane& x, double t) const { return turned(x, -amplitude * std::sin(rate() * t) * h(x.norm())); }
   plane force(const plane& x, double t) const {
-    const double r = x.norm(), w = rate(), a = amplitude * std::sin(w * t), g = r * a * slope(r), dg = a * (slope(r) + r * curvature(r)), modulus = m.shear() / m.rho;
+    const double r = x.norm(), w = rate(), a = amplitude * std::sin(w * t), g = r * a * slope(r), dg = a * (slope(r) + r * curvature(r)),
+                 modulus = m.shear() / m.rho;
     const double radial = -r * square(amplitude * w * std::cos(w * t) * h(r)) + modulus * (std::sin(g) * dg + 2 * (1 - std::cos(g)) / r);
     const double hoop = -r * a * w * w * h(r) - modulus * (std::cos(g) * dg + 2 * std::sin(g) / r);
     return (radial * x + hoop * plane{-x[1], x[0]}) / r;
@@ -103,7 +110,8 @@ struct expanding_ring {
   double curvature(double r) const { return 1.5 * (1 - 2 * s(r)) / square(outer - inner); }
   double swing(double t) const { return amplitude * std::sin(rate() * t); }
   double reference_radius(double r, double t) const {
-    return invert(r, swing(t), [this](double x) { return f(x); }, [this](double x) { return slope(x); });
+    return invert(
+        r, swing(t), [this](double x) { return f(x); }, [this](double x) { return slope(x); });
   }
 
   plane position(const plane& x, double t) const { return x * (1 + swing(t) * f(x.norm()) / x.norm()); }
@@ -197,14 +205,21 @@ template <class Method> controls<typename Method::scalar> manufactured_controls(
 }
 
 /// Plane strain; `body` made of the geometry of the solution.
-template <class Method, class Solution, class Geometry> manufactured_error in_plane_strain(const Solution& s, const Geometry& g, double h, double courant, bool walls) {
+template <class Method, class Solution, class Geometry>
+manufactured_error in_plane_strain(const Solution& s, const Geometry& g, double h, double courant, bool walls) {
   const body b{Solution::name, g, logarithmic(s.m), h / 2, initial_state{s.m.rho, 0}};
-  solver sim{space::plane_strain{}, grid::sparse{h}, typename Method::shape_type{}, typename Method::transfer_type{}, typename Method::scheme_type{},
-             manufactured_controls<Method>(courant), b};
+  solver sim{space::plane_strain{},
+             grid::sparse{h},
+             typename Method::shape_type{},
+             typename Method::transfer_type{},
+             typename Method::scheme_type{},
+             manufactured_controls<Method>(courant),
+             b};
   if (walls)
     for (int axis = 0; axis < 2; ++axis) sim.add(grid::mirror{axis, 0, true}).add(grid::mirror{axis, 1, false});
   sim.add(body_force{[s](const plane& x, double t) { return s.force(x, t); }});
-  start_moving(sim, [&](const plane& x) { return velocity_at(s, x, 0); }, [&](const plane& x) { return velocity_gradient_at(s, x, 0); });
+  start_moving(
+      sim, [&](const plane& x) { return velocity_at(s, x, 0); }, [&](const plane& x) { return velocity_gradient_at(s, x, 0); });
   return follow(sim, s.end, Solution::scale, [&](const plane& x, double t) { return s.position(x, t); });
 }
 template <class Method> manufactured_error run(const vortex& s, double h, double courant) {
@@ -219,14 +234,24 @@ template <class Method> manufactured_error run(const axis_aligned& s, double h, 
 /// The expanding ring as a slab of four cells in r-z.
 template <class Method> manufactured_error run_in_rz(const expanding_ring& s, double h, double courant) {
   const body b{s.name, box{plane{s.inner, 0}, plane{s.outer, 4 * h}}, logarithmic(s.m), h / 2, initial_state{s.m.rho, 0}};
-  solver sim{space::axisymmetric{}, grid::sparse{h}, typename Method::shape_type{}, typename Method::transfer_type{}, typename Method::scheme_type{},
-             manufactured_controls<Method>(courant), b};
+  solver sim{space::axisymmetric{},
+             grid::sparse{h},
+             typename Method::shape_type{},
+             typename Method::transfer_type{},
+             typename Method::scheme_type{},
+             manufactured_controls<Method>(courant),
+             b};
   sim.add(grid::mirror{1, 0, true}).add(grid::mirror{1, 4 * h, false});
   sim.add(body_force{[s](const plane& x, double t) { return plane{s.radial_force(x[0], t), 0}; }});
   const auto moved = [&](const plane& x, double t) { return plane{s.position(plane{x[0], 0}, t)[0], x[1]}; };
   start_moving(
-      sim, [&](const plane& x) { return plane{velocity_at(s, plane{x[0], 0}, 0)[0], 0}; },
-      [&](const plane& x) { return tensor(plane{velocity_gradient_at(s, plane{x[0], 0}, 0)(0, 0), 0}.asDiagonal()); });
+      sim,
+      [&](const plane& x) {
+        return plane{velocity_at(s, plane{x[0], 0}, 0)[0], 0};
+      },
+      [&](const plane& x) {
+        return tensor(plane{velocity_gradient_at(s, plane{x[0], 0}, 0)(0, 0), 0}.asDiagonal());
+      });
   return follow(sim, s.end, expanding_ring::scale, moved);
 }
 
@@ -238,8 +263,15 @@ template <class Method, class Run> void check_order(const char* problem, const c
   std::snprintf(finest, sizeof finest, "RMS of the displacement over its largest, h = 1/%.0f m, dt ~ h^2", 4 / h);
   const double observed = order(e[1].rms, e[2].rms);
   constexpr bool smooth = Method::shape_type::smooth; // linear shapes: stress jumps where a particle changes cell, the more often the finer the grid
-  record({.section = "smooth", .problem = std::string("manufactured: ") + problem, .composition = composition<Method>(space), .measure = finest, .value = e[2].rms,
-          .bound = smooth ? error : none, .order = observed, .expected_order = smooth ? 2 : none, .seconds = e[2].seconds,
+  record({.section = "smooth",
+          .problem = std::string("manufactured: ") + problem,
+          .composition = composition<Method>(space),
+          .measure = finest,
+          .value = e[2].rms,
+          .bound = smooth ? error : none,
+          .order = observed,
+          .expected_order = smooth ? 2 : none,
+          .seconds = e[2].seconds,
           .note = smooth ? "" : "reported: linear shapes do not converge where particles change cell"});
   if (smooth) {
     EXPECT_LT(e[2].rms, error);
@@ -249,13 +281,16 @@ template <class Method, class Run> void check_order(const char* problem, const c
   EXPECT_LT(std::abs(e[2].residual), 1e-11);
 }
 template <class Method> void check_vortex(double h, double error, double least_order) {
-  check_order<Method>("vortex", "plane_strain", h, error, least_order, [](double cell, double courant) { return run<Method>(vortex{}, cell, courant); });
+  check_order<Method>("vortex", "plane_strain", h, error, least_order,
+                      [](double cell, double courant) { return run<Method>(vortex{}, cell, courant); });
 }
 template <class Method> void check_axis_aligned(double h, double error, double least_order) {
-  check_order<Method>("axis-aligned", "plane_strain", h, error, least_order, [](double cell, double courant) { return run<Method>(axis_aligned{}, cell, courant); });
+  check_order<Method>("axis-aligned", "plane_strain", h, error, least_order,
+                      [](double cell, double courant) { return run<Method>(axis_aligned{}, cell, courant); });
 }
 template <class Method> void check_expanding_ring(double h, double error, double least_order) {
-  check_order<Method>("expanding ring", "axisymmetric", h, error, least_order, [](double cell, double courant) { return run_in_rz<Method>(expanding_ring{}, cell, courant); });
+  check_order<Method>("expanding ring", "axisymmetric", h, error, least_order,
+                      [](double cell, double courant) { return run_in_rz<Method>(expanding_ring{}, cell, courant); });
 }
 
 } // namespace bolide::verify

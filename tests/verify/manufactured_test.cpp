@@ -51,8 +51,8 @@ template <class Solution> double stress_error(const Solution& s, const std::vect
 }
 
 TEST(Manufactured, ForcesAndStressesBelongToTheMotions) {
-  const std::vector<plane> through_vortex{{0.86, 0.1}, {-0.3, 0.9}, {0.7, -0.85}, {-0.8, -0.3}}, through_ring{{0.41, 0.1}, {-0.3, 0.4}, {0.35, -0.45}},
-      in_square{{0.1, 0.2}, {0.4, 0.8}, {0.93, 0.55}};
+  const std::vector<plane> through_vortex{{0.86, 0.1}, {-0.3, 0.9}, {0.7, -0.85}, {-0.8, -0.3}},
+      through_ring{{0.41, 0.1}, {-0.3, 0.4}, {0.35, -0.45}}, in_square{{0.1, 0.2}, {0.4, 0.8}, {0.93, 0.55}};
   EXPECT_LT(force_error(vortex{}, through_vortex), 2e-5);
   EXPECT_LT(force_error(expanding_ring{}, through_ring), 2e-5);
   EXPECT_LT(force_error(axis_aligned{}, in_square), 2e-5);

@@ -4,10 +4,10 @@
 // Sphere, radius R: u = j1(x r/R), free surface (lambda + 2 mu) u' + 2 lambda u/r = 0 at R:  tan x / x = 1/(1 - (c_L/2 c_T)^2 x^2), x = 2.73627.
 // Cylinder: u = J1(x r/R), (lambda + 2 mu) u' + lambda u/r = 0 at R:  x J0(x)/J1(x) = 1 - lambda/(lambda + 2 mu) = (1 - 2 nu)/(1 - nu), x = 2.16176.
 // Period 2 pi R/(x c_L).
-// Thin ring: u uniform, period 2 pi R sqrt(rho/E). A square section of side a: with u_r = 1 - nu (r - R)/R, u_z = -nu z/R, hoop stress E u_r/r, Rayleigh's
-// quotient gives the factor 1 - (1 + 4 nu - nu^2) a^2/(24 R^2), here 1 - 1.47e-4.
-// Measured: the amplitude a(t) = sum m v.u / sum m u.u passes zero four times in two periods; T = (t4 - t1)/1.5. Amplitude 1 m/s (strain 2e-4): what is
-// left of the second order of the strain is below 1e-4 of the period.
+// Thin ring: u uniform, period 2 pi R sqrt(rho/E). A square section of side a: with u_r = 1 - nu (r - R)/R, u_z = -nu z/R, hoop stress E u_r/r,
+// Rayleigh's quotient gives the factor 1 - (1 + 4 nu - nu^2) a^2/(24 R^2), here 1 - 1.47e-4. Measured: the amplitude a(t) = sum m v.u / sum m u.u
+// passes zero four times in two periods; T = (t4 - t1)/1.5. Amplitude 1 m/s (strain 2e-4): what is left of the second order of the strain is below
+// 1e-4 of the period.
 #pragma once
 
 #include "verify/elastic.hpp"
@@ -84,7 +84,13 @@ template <class Solver, class Mode, class Gradient> vibration vibrate(Solver& si
 template <class Method, class... Bodies> auto radial_scene(double h, const Bodies&... bodies) {
   controls<typename Method::scalar> c = one_thread<typename Method::scalar>();
   c.first_step = 1;
-  return solver{space::axisymmetric{}, grid::sparse{h}, typename Method::shape_type{}, typename Method::transfer_type{}, typename Method::scheme_type{}, c, bodies...};
+  return solver{space::axisymmetric{},
+                grid::sparse{h},
+                typename Method::shape_type{},
+                typename Method::transfer_type{},
+                typename Method::scheme_type{},
+                c,
+                bodies...};
 }
 
 using plane = vec<double, 2>;
@@ -122,14 +128,21 @@ inline double ring_period() {
 }
 template <class Method> vibration ring_mode(int cells) {
   const double side = 2 * mm, h = side / cells;
-  auto sim = radial_scene<Method>(h, body{"ring", box{plane{49 * mm, 0}, plane{51 * mm, side}}, elastic(radial), h / 2, initial_state{radial.rho, 0}});
-  return vibrate(sim, ring_period(), [](const plane&) { return plane{1, 0}; }, [](const plane&) { return gradient_2d(gradient_2d::Zero()); });
+  auto sim =
+      radial_scene<Method>(h, body{"ring", box{plane{49 * mm, 0}, plane{51 * mm, side}}, elastic(radial), h / 2, initial_state{radial.rho, 0}});
+  return vibrate(
+      sim, ring_period(),
+      [](const plane&) {
+        return plane{1, 0};
+      },
+      [](const plane&) { return gradient_2d(gradient_2d::Zero()); });
 }
 
 /// Three resolutions `cells`, 2 `cells`, 4 `cells` per radius (the ring: 4 per side).
 template <class Method> void check_radial_modes(int cells) {
   const std::string who = composition<Method>("axisymmetric"), finest = std::to_string(4 * cells) + " cells per radius";
-  const double per_root = 2 * std::numbers::pi / radial.longitudinal_speed(), sphere = 4.765 * mm * per_root / sphere_root(), cylinder = 10 * mm * per_root / cylinder_root();
+  const double per_root = 2 * std::numbers::pi / radial.longitudinal_speed(), sphere = 4.765 * mm * per_root / sphere_root(),
+               cylinder = 10 * mm * per_root / cylinder_root();
   vibration s[3], c[3];
   double s_error[3], s_own[3], c_error[3];
   for (int i = 0; i < 3; ++i) {
@@ -141,16 +154,46 @@ template <class Method> void check_radial_modes(int cells) {
   }
   const auto ring = ring_mode<Method>(4);
   const double ring_error = ring.period / ring_period() - 1;
-  record({.section = "smooth", .problem = "sphere, breathing mode", .composition = who, .measure = "period, " + finest, .value = s_error[2], .bound = 0.01 * 32 / (4 * cells),
-          .order = order(std::abs(s_error[1]), std::abs(s_error[2])), .expected_order = 1, .seconds = s[2].seconds,
+  record({.section = "smooth",
+          .problem = "sphere, breathing mode",
+          .composition = who,
+          .measure = "period, " + finest,
+          .value = s_error[2],
+          .bound = 0.01 * 32 / (4 * cells),
+          .order = order(std::abs(s_error[1]), std::abs(s_error[2])),
+          .expected_order = 1,
+          .seconds = s[2].seconds,
           .note = "first order: a sphere of lattice points within R - dx/2 is smaller than R"});
-  record({.section = "smooth", .problem = "sphere, breathing mode", .composition = who, .measure = "period over that of a sphere of the particles' mass, " + finest, .value = s_own[2],
-          .bound = 0.004, .seconds = s[2].seconds});
-  record({.section = "smooth", .problem = "cylinder, plane strain", .composition = who, .measure = "period, " + finest, .value = c_error[2], .bound = 4e-4 * square(32.0 / (4 * cells)),
-          .order = order(std::abs(c_error[1]), std::abs(c_error[2])), .expected_order = 2, .seconds = c[2].seconds});
-  record({.section = "smooth", .problem = "thin ring", .composition = who, .measure = "period, 4 cells per side", .value = ring_error, .bound = 5e-5, .seconds = ring.seconds});
-  record({.section = "smooth", .problem = "cylinder, plane strain", .composition = who, .measure = "amplitude lost in two periods, " + finest, .value = 1 - c[2].amplitude,
-          .bound = 5e-3, .seconds = c[2].seconds});
+  record({.section = "smooth",
+          .problem = "sphere, breathing mode",
+          .composition = who,
+          .measure = "period over that of a sphere of the particles' mass, " + finest,
+          .value = s_own[2],
+          .bound = 0.004,
+          .seconds = s[2].seconds});
+  record({.section = "smooth",
+          .problem = "cylinder, plane strain",
+          .composition = who,
+          .measure = "period, " + finest,
+          .value = c_error[2],
+          .bound = 4e-4 * square(32.0 / (4 * cells)),
+          .order = order(std::abs(c_error[1]), std::abs(c_error[2])),
+          .expected_order = 2,
+          .seconds = c[2].seconds});
+  record({.section = "smooth",
+          .problem = "thin ring",
+          .composition = who,
+          .measure = "period, 4 cells per side",
+          .value = ring_error,
+          .bound = 5e-5,
+          .seconds = ring.seconds});
+  record({.section = "smooth",
+          .problem = "cylinder, plane strain",
+          .composition = who,
+          .measure = "amplitude lost in two periods, " + finest,
+          .value = 1 - c[2].amplitude,
+          .bound = 5e-3,
+          .seconds = c[2].seconds});
   EXPECT_LT(std::abs(s_error[2]), 0.01 * 32 / (4 * cells));
   EXPECT_NEAR(order(std::abs(s_error[0]), std::abs(s_error[2])) / 2, 1, 0.2);
   EXPECT_LT(std::abs(s_own[2]), 0.004);

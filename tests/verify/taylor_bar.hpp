@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Taylor bar of OFHC copper (Johnson 1988; deck and figures of a public 3-D MPM code): 25.4 mm long, 7.6 mm thick, 190 m/s on a rigid slip wall, 80 us.
+// Taylor bar of OFHC copper (Johnson 1988; deck and figures of a public 3-D MPM code): 25.4 mm long, 7.6 mm thick, 190 m/s on a rigid slip wall, 80
+// us.
 //
-// rho 8930, E 117 GPa, nu 0.35, yield 157 MPa + 425 MPa times plastic strain, Mie-Grueneisen c0 3940, s 1.49, Gamma 1.96, viscosity 1.5/0.06. No exact answer:
-// measured are final length, foot diameter and diameter at 0.2 L. The public code, 0.76 mm cells: 16.58, 13.50, 10.37 mm, total energy -0.95 %; the test
-// (from memory): 16.2, 13.5, 10.1 mm. Particles are points: half a particle's first size is added at every end.
+// rho 8930, E 117 GPa, nu 0.35, yield 157 MPa + 425 MPa times plastic strain, Mie-Grueneisen c0 3940, s 1.49, Gamma 1.96, viscosity 1.5/0.06. No
+// exact answer: measured are final length, foot diameter and diameter at 0.2 L. The public code, 0.76 mm cells: 16.58, 13.50, 10.37 mm, total energy
+// -0.95 %; the test (from memory): 16.2, 13.5, 10.1 mm. Particles are points: half a particle's first size is added at every end.
 #pragma once
 
 #include "verify/elastic.hpp"
@@ -23,11 +24,16 @@ struct taylor_bar {
 template <class Method> taylor_bar taylor(double h) {
   using point = vec<double, 2>;
   const double e = 117e9, nu = 0.35, dx = h / 2, first_length = 25.4 * mm;
-  const material copper{eos::mie_grueneisen{{.rho0 = 8930, .c0 = 3940, .s = 1.49, .gamma0 = 1.96}}, strength::linear_hardening{e / (2 * (1 + nu)), 157e6, 425e6}, failure::none{},
-                        viscosity::bulk{1.5, 0.06}};
+  const material copper{eos::mie_grueneisen{{.rho0 = 8930, .c0 = 3940, .s = 1.49, .gamma0 = 1.96}},
+                        strength::linear_hardening{e / (2 * (1 + nu)), 157e6, 425e6}, failure::none{}, viscosity::bulk{1.5, 0.06}};
   const body bar{"bar", box{point{0, 0}, point{3.8 * mm, first_length}}, copper, dx, initial_state{8930, 0}, point{0, -190}};
-  solver sim{space::axisymmetric{}, grid::sparse{h}, typename Method::shape_type{}, typename Method::transfer_type{}, typename Method::scheme_type{},
-             one_thread<typename Method::scalar>(), bar};
+  solver sim{space::axisymmetric{},
+             grid::sparse{h},
+             typename Method::shape_type{},
+             typename Method::transfer_type{},
+             typename Method::scheme_type{},
+             one_thread<typename Method::scalar>(),
+             bar};
   sim.add(grid::mirror{1, 0, true});
   sim.run(80 * us);
   taylor_bar r;
@@ -58,8 +64,14 @@ template <class Method> void check_taylor(int resolutions) {
   const auto row = [&](const char* what, double value, double before, double test) {
     char note[120];
     std::snprintf(note, sizeof note, "%.2f mm; on cells twice as large %.2f mm", value, before);
-    record({.section = "solids", .problem = "Taylor bar, copper, 190 m/s", .composition = composition<Method>("axisymmetric"),
-            .measure = std::string(what) + " against the test (" + to_text(test) + " mm), " + cells, .value = value / test - 1, .bound = 0.04, .seconds = fine.seconds, .note = note});
+    record({.section = "solids",
+            .problem = "Taylor bar, copper, 190 m/s",
+            .composition = composition<Method>("axisymmetric"),
+            .measure = std::string(what) + " against the test (" + to_text(test) + " mm), " + cells,
+            .value = value / test - 1,
+            .bound = 0.04,
+            .seconds = fine.seconds,
+            .note = note});
     EXPECT_NEAR(value / test, 1, 0.04) << what;
     EXPECT_NEAR(value / before, 1, 0.05) << what;
   };

@@ -25,7 +25,9 @@ struct verney {
   int power; // 2 cylinder, 3 sphere
 
   double radius(double big, double ri) const { return std::pow(std::pow(big, power) - std::pow(inner, power) + std::pow(ri, power), 1.0 / power); }
-  double inferred(double big, double r) const { return std::pow(std::max(0.0, std::pow(r, power) - std::pow(big, power) + std::pow(inner, power)), 1.0 / power); }
+  double inferred(double big, double r) const {
+    return std::pow(std::max(0.0, std::pow(r, power) - std::pow(big, power) + std::pow(inner, power)), 1.0 / power);
+  }
   /// V0 that stops at ri: Simpson's rule.
   double speed(double ri) const {
     const int n = 2000;
@@ -56,11 +58,16 @@ struct stopped {
 template <class Method> stopped implode(int power, double stop, double h) {
   const verney problem{power};
   const double v0 = problem.speed(stop);
-  const material be{eos::mie_grueneisen{{.rho0 = problem.rho, .c0 = 7998, .s = 1.124, .gamma0 = 1.11}}, strength::elastic_perfectly_plastic{problem.shear, problem.yield},
-                    failure::none{}, viscosity::none{}};
+  const material be{eos::mie_grueneisen{{.rho0 = problem.rho, .c0 = 7998, .s = 1.124, .gamma0 = 1.11}},
+                    strength::elastic_perfectly_plastic{problem.shear, problem.yield}, failure::none{}, viscosity::none{}};
   const auto run = [&](const auto& b) {
-    solver sim{space::axisymmetric{}, grid::sparse{h}, typename Method::shape_type{}, typename Method::transfer_type{}, typename Method::scheme_type{},
-               one_thread<typename Method::scalar>(), b};
+    solver sim{space::axisymmetric{},
+               grid::sparse{h},
+               typename Method::shape_type{},
+               typename Method::transfer_type{},
+               typename Method::scheme_type{},
+               one_thread<typename Method::scalar>(),
+               b};
     sim.add(grid::mirror{1, 0, true});
     if (power == 2) sim.add(grid::mirror{1, 4 * h, false});
     const auto part = [power](const plane& x) { return power == 2 ? plane{x[0], 0} : x; };
@@ -98,11 +105,23 @@ template <class Method> void check_verney(int power, double stop, double cell, d
   const auto r = implode<Method>(power, stop * mm, cell * mm);
   const double error = r.radius / (stop * mm) - 1;
   char problem[80], measure[80];
-  std::snprintf(problem, sizeof problem, "Verney shell, %s, %.2f m/s", power == 2 ? "cylindrical (r-z slab)" : "spherical (r-z)", verney{power}.speed(stop * mm));
+  std::snprintf(problem, sizeof problem, "Verney shell, %s, %.2f m/s", power == 2 ? "cylindrical (r-z slab)" : "spherical (r-z)",
+                verney{power}.speed(stop * mm));
   std::snprintf(measure, sizeof measure, "inner radius at rest over %g mm, cells of %g mm", stop, cell);
-  record({.section = "solids", .problem = problem, .composition = composition<Method>("axisymmetric"), .measure = measure, .value = error, .bound = bound, .seconds = r.seconds});
-  record({.section = "solids", .problem = problem, .composition = composition<Method>("axisymmetric"), .measure = "plastic work over kinetic energy at the start, less 1",
-          .value = r.plastic - 1, .bound = 0.005, .seconds = r.seconds});
+  record({.section = "solids",
+          .problem = problem,
+          .composition = composition<Method>("axisymmetric"),
+          .measure = measure,
+          .value = error,
+          .bound = bound,
+          .seconds = r.seconds});
+  record({.section = "solids",
+          .problem = problem,
+          .composition = composition<Method>("axisymmetric"),
+          .measure = "plastic work over kinetic energy at the start, less 1",
+          .value = r.plastic - 1,
+          .bound = 0.005,
+          .seconds = r.seconds});
   EXPECT_LT(std::abs(error), bound) << problem;
   EXPECT_LT(std::abs(r.plastic - 1), 0.005) << problem;
   EXPECT_LT(r.kinetic, 0.002) << problem;
