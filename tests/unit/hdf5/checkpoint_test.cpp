@@ -18,6 +18,7 @@
 
 #include <csignal>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 namespace bolide {
@@ -44,7 +45,7 @@ protected:
 
 /// A cheap scene in one dimension: 40 particles of two stiffened gases.
 struct cheap {
-  double cell = 0.1 * mm, gamma = 4.4, tension = 1e9, courant = 0.4, wall = -2 * mm;
+  double cell = 0.1 * mm, gamma = 4.4, tension = 1e9, courant = 0.4, wall = -2 * mm, end = 1; // end: m, of the box
   bool box = false, second_wall = false;
   std::string name = "flyer";
 };
@@ -62,7 +63,7 @@ template <class Method> auto cheap_scene(const cheap& how = {}) {
   if (how.second_wall) sim.add(grid::mirror{0, 4 * mm, false});
   leaving_box<1> b;
   b.low << -1;
-  b.high << 1;
+  b.high << how.end;
   if (how.box) sim.add(b);
   return sim;
 }
@@ -147,6 +148,24 @@ TEST_F(Checkpoint, ObserversGoOnWithoutARowOrAFrameTwice) {
     ++compared;
   }
   EXPECT_GE(compared, 2 + 7 + 1); // two tables, frames at 0, 50, ... 300 ns, their list
+}
+TEST_F(Checkpoint, ATracerGoesOnThoughItsParticleHasLeft) {
+  const auto run = [&](double until, bool restart) {
+    auto sim = cheap_scene<linear_flip_usf>({.end = 1.1 * mm, .box = true});
+    observe::tracer gauge(folder / "gauge.csv", {17, 39}, 1e-8);
+    const auto state = [&](auto& a) { a.value("simulation", sim), a.value("gauge", gauge); };
+    if (restart) hdf5::restore(file, state);
+    sim.run(until, gauge);
+    if (!restart) hdf5::save(file, state);
+    return sim.particle_count();
+  };
+  EXPECT_LT(run(1.2 * us, false), 39u);
+  run(1.4 * us, true);
+  std::set<std::string> rows;
+  std::istringstream table(read(folder / "gauge.csv"));
+  for (std::string line; std::getline(table, line);) EXPECT_TRUE(rows.insert(line).second) << "twice: " << line;
+  EXPECT_EQ(rows.rbegin()->rfind("time (s)", 0), 0u);
+  EXPECT_GT(rows.size(), 140u) << "one row per sample of particle 17 and some of 39";
 }
 TEST_F(Checkpoint, ATableOfAnotherRunIsNotAppendedTo) {
   observed_run(folder, 0.1 * us, false);
