@@ -30,6 +30,18 @@ template <class Method, class Space, class... Bodies> auto solve(const Space& sp
   return solver{space, grid::sparse{h}, typename Method::shape_type{}, typename Method::transfer_type{}, typename Method::scheme_type{}, c, bodies...};
 }
 
+/// What lies between two spheres about the origin where no coordinate is negative: the half of a sphere in r-z, a quarter of a disc, an octant.
+/// (A body that reaches beyond a mirror is folded onto the other half: two bodies in one place.)
+template <int Dim> struct positive_part {
+  static constexpr int dim = Dim;
+  double inner, outer;
+  vec<double, Dim> anchor() const { return vec<double, Dim>::Zero(); }
+  vec<double, Dim> low() const { return vec<double, Dim>::Zero(); }
+  vec<double, Dim> high() const { return vec<double, Dim>::Constant(outer); }
+  bool contains(const vec<double, Dim>& x, double) const { return (x.array() > 0).all() && x.norm() > inner && x.norm() < outer; }
+  double volume(bool radial) const { return shell<Dim>(anchor(), inner, outer).volume(radial) / (radial ? 2 : 1 << Dim); }
+};
+
 /// velocity(x) for every particle before the first step, with its gradient where the transfer carries one.
 template <class Solver, class Velocity> void set_in_motion(Solver& sim, Velocity&& velocity) {
   constexpr int dim = Solver::dim;

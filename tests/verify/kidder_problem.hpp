@@ -45,7 +45,7 @@ template <int K, class Method, class Viscosity> l1 run_kidder(int cells, int per
     sim.add(grid::mirror{1, 0, true}).add(grid::mirror{1, 3 * h, false});
     return run(sim);
   } else {
-    auto sim = solve<Method>(space::axisymmetric{}, h, c, body{"gas", shell{vec<double, 2>{0, 0}, from, outer}, gas, spacing, any});
+    auto sim = solve<Method>(space::axisymmetric{}, h, c, body{"gas", positive_part<2>{from, outer}, gas, spacing, any});
     sim.add(grid::mirror{1, 0, true});
     return run(sim);
   }

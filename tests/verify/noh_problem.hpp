@@ -85,15 +85,15 @@ template <noh_geometry G, class Method, class Viscosity = viscosity::bulk> noh_r
     sim.add(grid::mirror{1, 0, true}).add(grid::mirror{1, 3 * h, false});
     return run_noh(sim, 2, 1);
   } else if constexpr (G == noh_geometry::cylinder_plane_strain) {
-    auto sim = solve<Method>(space::plane_strain{}, h, c, body{"cylinder", shell{vec<double, 2>{0, 0}, 0, 1}, gas, spacing, cold});
+    auto sim = solve<Method>(space::plane_strain{}, h, c, body{"cylinder", positive_part<2>{0, 1}, gas, spacing, cold});
     sim.add(grid::mirror{0, 0, true}).add(grid::mirror{1, 0, true});
     return run_noh(sim, 2, 2);
   } else if constexpr (G == noh_geometry::sphere_rz) {
-    auto sim = solve<Method>(space::axisymmetric{}, h, c, body{"sphere", shell{vec<double, 2>{0, 0}, 0, 1}, gas, spacing, cold});
+    auto sim = solve<Method>(space::axisymmetric{}, h, c, body{"sphere", positive_part<2>{0, 1}, gas, spacing, cold});
     sim.add(grid::mirror{1, 0, true});
     return run_noh(sim, 3, 2);
   } else {
-    auto sim = solve<Method>(space::cartesian_3d{}, h, c, body{"sphere", shell{vec<double, 3>{0, 0, 0}, 0, 1}, gas, spacing, cold});
+    auto sim = solve<Method>(space::cartesian_3d{}, h, c, body{"sphere", positive_part<3>{0, 1}, gas, spacing, cold});
     sim.add(grid::mirror{0, 0, true}).add(grid::mirror{1, 0, true}).add(grid::mirror{2, 0, true});
     return run_noh(sim, 3, 3);
   }

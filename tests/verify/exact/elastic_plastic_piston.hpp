@@ -54,4 +54,7 @@ private:
   }
 };
 
+template <class Eos> elastic_plastic_piston(Eos, double, double, double) -> elastic_plastic_piston<Eos>;
+template <class Eos> elastic_plastic_piston(Eos, double, double, double, bool) -> elastic_plastic_piston<Eos>;
+
 } // namespace bolide::verify
