@@ -366,7 +366,7 @@ private:
     threads_ = controls_.threads > 0 ? controls_.threads : omp_get_max_threads();
     omp_set_num_threads(threads_);
 #endif
-    measure_energy(); // before sort(), which may let particles leave that start outside the box
+    phases_.energy.momentum_scale = measure_energy(); // before sort(), which may let particles leave that start outside the box
     phases_.energy.initial = phases_.energy.now;
     phases_.energy.momentum_initial = phases_.energy.momentum_now;
     sort();
@@ -490,7 +490,8 @@ private:
     return e;
   }
 
-  void measure_energy() {
+  /// Energies and momentum of this moment; returns sum m |v|.
+  double measure_energy() {
     auto& l = phases_.energy;
     l.now = {};
     l.momentum_now = {};
@@ -509,7 +510,7 @@ private:
         }
       }
     });
-    if (steps_ == 0) l.momentum_scale = scale;
+    return scale;
   }
 };
 
