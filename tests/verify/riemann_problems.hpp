@@ -31,7 +31,7 @@ inline constexpr tube leblanc_tube{"LeBlanc", 5.0 / 3, {1, 0, 0.2 / 3}, {0.001, 
 inline constexpr const char* linear_does_not_converge =
     "linear shapes do not converge: the volumes of particles that cross many cells drift (p* of this tube +17 % at 400 cells of 4, +2.7 % at 1600 of 16)";
 inline constexpr const char* hot_centre =
-    "errors of the fan, x 0.1 to 0.5; the centre is too hot and does not converge (APIC: the velocity's error at x < 0.05 is as large on 800 cells as on 200)";
+    "errors of the fan, x 0.1 to 0.5; the centre is too hot and does not converge (APIC: the velocity's error at x < 0.05 falls by a quarter only from 200 to 800 cells)";
 inline constexpr const char* wide_shock = "shock ahead by a fixed number of cells (APIC 8 to 9, FLIP 15 to 18): an error of the start, when the whole jump lies within a few cells";
 
 struct tube_result {
