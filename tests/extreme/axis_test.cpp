@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Extreme 15: the axis of r-z. A uniform pressure patch on the seeding lattice feels no radial force above round-off, in any composition and in float; a
-// ring at r = 1e-12 m and less is harmless; jittered points are reported. (tests/verify/axis_test.cpp: converging flow at the axis.)
+// Extreme 15: the axis of r-z. A uniform pressure patch on the seeding lattice feels no radial force above round-off, in any composition
+// and in float; a ring at r = 1e-12 m and less is harmless; jittered points are reported. (tests/verify/axis_test.cpp: converging flow at
+// the axis.)
 #include "extreme/extreme.hpp"
 
 #include "bolide/shape/cubic_bspline.hpp"
@@ -21,7 +22,13 @@ TYPED_TEST_SUITE(Axis, methods, method_names);
 template <class Method> double patch(double per_cell, double jittered) {
   using T = typename Method::scalar;
   const double h = 1e-3, width = 12 * h, e = 2.5e5;
-  const body b{"gas", box{point{0, 0}, point{width, width}}, gas(1.4, 1000, viscosity::none{}), h / per_cell, initial_state{1000, e}, point{0, 0}, jitter{jittered, 3}};
+  const body b{"gas",
+               box{point{0, 0}, point{width, width}},
+               gas(1.4, 1000, viscosity::none{}),
+               h / per_cell,
+               initial_state{1000, e},
+               point{0, 0},
+               jitter{jittered, 3}};
   auto sim = make<Method, space::axisymmetric>(h, one_thread<T>(), b);
   sim.add(grid::mirror{0, width, false}).add(grid::mirror{1, 0, true}).add(grid::mirror{1, width, false});
   sim.step();
@@ -32,19 +39,26 @@ template <class Method> double patch(double per_cell, double jittered) {
 TYPED_TEST(Axis, AUniformPatchFeelsNoRadialForce) {
   const double bar = sizeof(typename TypeParam::scalar) == 8 ? 1e-11 : 1e-5;
   const auto row = [&](const std::string& what, double got, double bound, const char* note) {
-    verify::record({.section = "extremes", .problem = "uniform pressure patch at the axis, " + what, .composition = composition<TypeParam, space::axisymmetric>(),
-                    .measure = "radial acceleration over p/(rho h)", .value = got, .bound = bound, .note = note});
+    verify::record({.section = "extremes",
+                    .problem = "uniform pressure patch at the axis, " + what,
+                    .composition = composition<TypeParam, space::axisymmetric>(),
+                    .measure = "radial acceleration over p/(rho h)",
+                    .value = got,
+                    .bound = bound,
+                    .note = note});
   };
   for (const double per_cell : {2.0, 4.0}) {
     const double worst = patch<TypeParam>(per_cell, 0);
     const bool exact = TypeParam::shape_type::support < 4; // N'' is constant in a quadratic, and zero in a linear shape function
-    row(to_text(per_cell) + " points per cell side", worst, exact ? bar : 0.02, exact ? "" : "the mended quadrature is exact for piecewise quadratic N, not for cubic");
+    row(to_text(per_cell) + " points per cell side", worst, exact ? bar : 0.02,
+        exact ? "" : "the mended quadrature is exact for piecewise quadratic N, not for cubic");
     EXPECT_LT(worst, exact ? bar : 0.02);
   }
   row("points jittered by 10 %", patch<TypeParam>(2, 0.1), verify::none, "quadrature of a jittered lattice");
 }
 
-/// A ring next to r = 0 with the mass and volume of a ring of that radius: no division by r may be seen. Its slab expands with the same speeds as without.
+/// A ring next to r = 0 with the mass and volume of a ring of that radius: no division by r may be seen. Its slab expands with the same
+/// speeds as without.
 TYPED_TEST(Axis, ARingAtTinyRadiusIsHarmless) {
   using T = typename TypeParam::scalar;
   const body b{"slab", box{point{0, 0}, point{0.4 * mm, 0.4 * mm}}, aluminium(), 0.05 * mm, initial_state{2785, 1e5}};
@@ -56,7 +70,8 @@ TYPED_TEST(Axis, ARingAtTinyRadiusIsHarmless) {
         if (p.id()[i] != 3) continue;
         const T ratio = static_cast<T>(r / value<field::position>(s, i));
         p.template get<field::position>(0)[i] = static_cast<T>(r);
-        for (T* x : {p.template get<field::mass>(), p.template get<field::volume>(), p.template get<field::material_volume>()}) x[i] *= ratio;
+        for (T* x : {p.template get<field::mass>(), p.template get<field::volume>(), p.template get<field::material_volume>()})
+          x[i] *= ratio;
       }
     });
     double v = 0;
@@ -71,8 +86,12 @@ TYPED_TEST(Axis, ARingAtTinyRadiusIsHarmless) {
   const double usual = fastest(0);
   double worst = 0;
   for (const double r : {1e-7, 1e-12, 1e-18}) worst = std::max(worst, fastest(r) / usual);
-  verify::record({.section = "extremes", .problem = "a ring at r = 1e-7, 1e-12, 1e-18 m", .composition = composition<TypeParam, space::axisymmetric>(),
-                  .measure = "fastest particle over that of the undisturbed slab", .value = worst, .bound = 1.5});
+  verify::record({.section = "extremes",
+                  .problem = "a ring at r = 1e-7, 1e-12, 1e-18 m",
+                  .composition = composition<TypeParam, space::axisymmetric>(),
+                  .measure = "fastest particle over that of the undisturbed slab",
+                  .value = worst,
+                  .bound = 1.5});
   EXPECT_LT(worst, 1.5);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Extreme 9: equations of state alone, rho/rho0 from 1e-6 to 5 and e from -1 to 1e4 MJ/kg: pressure, temperature and sound speed finite everywhere; where
-// c^2 is not positive, a material's floor acts and counts. Jumps at phase borders: tests/unit/eos, tests/unit/conformance.
+// Extreme 9: equations of state alone, rho/rho0 from 1e-6 to 5 and e from -1 to 1e4 MJ/kg: pressure, temperature and sound speed finite
+// everywhere; where c^2 is not positive, a material's floor acts and counts. Jumps at phase borders: tests/unit/eos,
+// tests/unit/conformance.
 #include "verify/table.hpp"
 
 #include "bolide/eos/cold/cai_ye.hpp"
@@ -30,16 +31,24 @@ template <class T, class Eos> void sweep(const std::string& name, const Eos& eos
       const auto s = detail::evaluate_all(eos, static_cast<T>(x * eos.reference_density()), static_cast<T>(e));
       ++total;
       const bool good = std::isfinite(s.pressure) && std::isfinite(s.sound_speed_squared) && std::isfinite(s.temperature);
-      if (!good && ++bad < 4) ADD_FAILURE() << name << " at rho/rho0 " << x << ", e " << e << ": p " << s.pressure << ", c2 " << s.sound_speed_squared << ", T " << s.temperature;
+      if (!good && ++bad < 4)
+        ADD_FAILURE() << name << " at rho/rho0 " << x << ", e " << e << ": p " << s.pressure << ", c2 " << s.sound_speed_squared << ", T "
+                      << s.temperature;
       if (good && !(s.sound_speed_squared > 0)) ++slow;
     }
   }
   const auto row = [&](const char* measure, double value, double bound, const char* note) {
-    verify::record({.section = "extremes", .problem = "equation of state alone, rho/rho0 1e-6 to 5, e -1 to 1e4 MJ/kg", .composition = name, .measure = measure,
-                    .value = value, .bound = bound, .note = note});
+    verify::record({.section = "extremes",
+                    .problem = "equation of state alone, rho/rho0 1e-6 to 5, e -1 to 1e4 MJ/kg",
+                    .composition = name,
+                    .measure = measure,
+                    .value = value,
+                    .bound = bound,
+                    .note = note});
   };
   row("states without finite p, c^2, T, of 25,921", static_cast<double>(bad), 0, "");
-  row("share of states with c^2 <= 0", static_cast<double>(slow) / static_cast<double>(total), verify::none, "tension and e < 0 in expansion, where material separates: the material's floor acts and counts");
+  row("share of states with c^2 <= 0", static_cast<double>(slow) / static_cast<double>(total), verify::none,
+      "tension and e < 0 in expansion, where material separates: the material's floor acts and counts");
   EXPECT_EQ(bad, 0);
 }
 template <class Eos> void both(const std::string& name, const Eos& eos) {

@@ -20,8 +20,10 @@ using float_apic_usf = method<shape::quadratic_bspline, transfer::apic, scheme::
 using float_flip_musl = method<shape::quadratic_bspline, transfer::flip, scheme::musl, float>;
 
 /// A solver of a method in a space.
-template <class Method, class Space, class... Bodies> auto make(double h, const controls<typename Method::scalar>& c, const Bodies&... bodies) {
-  return solver{Space{}, grid::sparse{h}, typename Method::shape_type{}, typename Method::transfer_type{}, typename Method::scheme_type{}, c, bodies...};
+template <class Method, class Space, class... Bodies>
+auto make(double h, const controls<typename Method::scalar>& c, const Bodies&... bodies) {
+  return solver{Space{}, grid::sparse{h}, typename Method::shape_type{}, typename Method::transfer_type{}, typename Method::scheme_type{},
+                c,       bodies...};
 }
 template <class Method, class Space> std::string composition() { return std::string(Space::name) + ", " + Method::name(); }
 
@@ -36,7 +38,9 @@ template <class Solver, class F> void for_each_particle(Solver& sim, F&& f) {
     for (std::size_t i = 0; i < s.columns.size(); ++i) f(s, i);
   });
 }
-template <class Tag, class Set> double value(const Set& s, std::size_t i, int c = 0) { return static_cast<double>(s.columns.template get<Tag>(c)[i]); }
+template <class Tag, class Set> double value(const Set& s, std::size_t i, int c = 0) {
+  return static_cast<double>(s.columns.template get<Tag>(c)[i]);
+}
 
 /// No NaN, no infinity, no volume that is not positive in any column; the books close.
 struct tolerances {
@@ -49,7 +53,8 @@ template <class Solver> void is_sound(Solver& sim, tolerances to = tight<typenam
   for_each_particle(sim, [&](const auto& s, std::size_t i) {
     bool good = value<field::volume>(s, i) > 0 && std::isfinite(value<field::volume>(s, i)) && std::isfinite(value<field::energy>(s, i)) &&
                 std::isfinite(value<field::pressure>(s, i));
-    for (int d = 0; d < Solver::dim; ++d) good = good && std::isfinite(value<field::position>(s, i, d)) && std::isfinite(value<field::velocity>(s, i, d));
+    for (int d = 0; d < Solver::dim; ++d)
+      good = good && std::isfinite(value<field::position>(s, i, d)) && std::isfinite(value<field::velocity>(s, i, d));
     if constexpr (std::remove_cvref_t<decltype(s.columns)>::template has<field::deviator>)
       for (int c = 0; c < Solver::space::deviator_size; ++c) good = good && std::isfinite(value<field::deviator>(s, i, c));
     bad += !good;
@@ -65,7 +70,8 @@ template <class Solver> void is_sound(Solver& sim, tolerances to = tight<typenam
 template <class Solver> std::string floors(Solver& sim) {
   std::string text;
   for (std::size_t k = 0; k < floor_names.size(); ++k)
-    if (const auto n = sim.energies().floors.count[k]) text += std::string(text.empty() ? "floors: " : ", ") + floor_names[k] + " " + std::to_string(n);
+    if (const auto n = sim.energies().floors.count[k])
+      text += std::string(text.empty() ? "floors: " : ", ") + floor_names[k] + " " + std::to_string(n);
   return text.empty() ? "no floor" : text;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Extremes 16 and 17: rigid flight over 1e4 cells at 7 and 70 km/s, and contact of very unequal materials: tungsten on foam, densities 1e3 and 1e4 apart.
-// (The Galilean shift of an impact: tests/verify/flight_test.cpp.)
+// Extremes 16 and 17: rigid flight over 1e4 cells at 7 and 70 km/s, and contact of very unequal materials: tungsten on foam, densities 1e3
+// and 1e4 apart. (The Galilean shift of an impact: tests/verify/flight_test.cpp.)
 #include "extreme/extreme.hpp"
 
 namespace bolide {
@@ -17,7 +17,8 @@ TYPED_TEST(Flight, TenThousandCellsMakeNoStress) {
   using T = typename TypeParam::scalar;
   const double h = 0.1 * mm, bulk = 2785 * 5328. * 5328.;
   for (const double v : {7e3, 70e3}) {
-    auto sim = make<TypeParam, space::planar_1d>(h, one_thread<T>(), body{"bar", box{point{0.}, point{8 * h}}, aluminium(), h / 2, initial_state{2785, 0}, point{v}});
+    auto sim = make<TypeParam, space::planar_1d>(
+        h, one_thread<T>(), body{"bar", box{point{0.}, point{8 * h}}, aluminium(), h / 2, initial_state{2785, 0}, point{v}});
     sim.run(1e4 * h / v);
     double stress = 0, change = 0;
     for_each_particle(sim, [&](const auto& s, std::size_t i) {
@@ -27,11 +28,16 @@ TYPED_TEST(Flight, TenThousandCellsMakeNoStress) {
     is_sound(sim);
     constexpr bool is_float = sizeof(T) == 4, smooth = TypeParam::shape_type::smooth;
     const auto row = [&](const char* measure, double got, double bound, double held) {
-      verify::record({.section = "extremes", .problem = "rigid flight over 1e4 cells at " + to_text(v / 1000) + " km/s", .composition = composition<TypeParam, space::planar_1d>(),
-                      .measure = measure, .value = got, .bound = bound,
-                      .note = is_float  ? "positions of 1 m are known to 6e-4 of a cell"
-                              : !smooth ? "FLIP with linear shapes amplifies round-off by its cell crossings, slowly; over 2000 cells it keeps 1e-9"
-                                        : ""});
+      verify::record(
+          {.section = "extremes",
+           .problem = "rigid flight over 1e4 cells at " + to_text(v / 1000) + " km/s",
+           .composition = composition<TypeParam, space::planar_1d>(),
+           .measure = measure,
+           .value = got,
+           .bound = bound,
+           .note = is_float  ? "positions of 1 m are known to 6e-4 of a cell"
+                   : !smooth ? "FLIP with linear shapes amplifies round-off by its cell crossings, slowly; over 2000 cells it keeps 1e-9"
+                             : ""});
       EXPECT_LT(got, held) << measure;
     };
     row("largest stress over the bulk modulus", stress / bulk, is_float ? 1e-3 : 1e-9, is_float ? 1e-3 : smooth ? 1e-9 : 0.05);
@@ -39,18 +45,21 @@ TYPED_TEST(Flight, TenThousandCellsMakeNoStress) {
   }
 }
 
-/// A tungsten plate of 1 mm at 1 km/s pushes a foam of 1/1000 and 1/10000 of its density: no tungsten point may pass a foam point, and the step is that of
-/// the tungsten.
+/// A tungsten plate of 1 mm at 1 km/s pushes a foam of 1/1000 and 1/10000 of its density: no tungsten point may pass a foam point, and the
+/// step is that of the tungsten.
 TYPED_TEST(Flight, TungstenDoesNotEnterFoam) {
   using point = vec<double, 1>;
   using T = typename TypeParam::scalar;
   const double h = 0.1 * mm, v = 1000, c_tungsten = 4030;
-  const material tungsten{eos::mie_grueneisen{{.rho0 = 19300, .c0 = c_tungsten, .s = 1.237, .gamma0 = 1.54, .constant_gamma = true}}, strength::none{}, failure::none{}};
+  const material tungsten{eos::mie_grueneisen{{.rho0 = 19300, .c0 = c_tungsten, .s = 1.237, .gamma0 = 1.54, .constant_gamma = true}},
+                          strength::none{}, failure::none{}};
   for (const double ratio : {1e3, 1e4}) {
     const double rho = 19300 / ratio;
-    const material foam{eos::mie_grueneisen{{.rho0 = rho, .c0 = 400, .s = 1.4, .gamma0 = 1, .constant_gamma = true}}, strength::none{}, failure::none{}};
-    auto sim = make<TypeParam, space::planar_1d>(h, one_thread<T>(), body{"tungsten", box{point{-1 * mm}, point{0.}}, tungsten, h / 2, initial_state{19300, 0}, point{v}},
-                                                 body{"foam", box{point{0.}, point{4 * mm}}, foam, h / 4, initial_state{rho, 0}});
+    const material foam{eos::mie_grueneisen{{.rho0 = rho, .c0 = 400, .s = 1.4, .gamma0 = 1, .constant_gamma = true}}, strength::none{},
+                        failure::none{}};
+    auto sim = make<TypeParam, space::planar_1d>(
+        h, one_thread<T>(), body{"tungsten", box{point{-1 * mm}, point{0.}}, tungsten, h / 2, initial_state{19300, 0}, point{v}},
+        body{"foam", box{point{0.}, point{4 * mm}}, foam, h / 4, initial_state{rho, 0}});
     double overlap = -1, longest = 0;
     while (sim.time() < 1 * us) {
       sim.step(1 * us - sim.time());
@@ -65,8 +74,14 @@ TYPED_TEST(Flight, TungstenDoesNotEnterFoam) {
     }
     is_sound(sim);
     const auto row = [&](const char* measure, double got, double bound, const char* unit) {
-      verify::record({.section = "extremes", .problem = "tungsten at 1 km/s on foam of 1/" + to_text(ratio) + " of its density",
-                      .composition = composition<TypeParam, space::planar_1d>(), .measure = measure, .value = got, .bound = bound, .unit = unit, .note = floors(sim)});
+      verify::record({.section = "extremes",
+                      .problem = "tungsten at 1 km/s on foam of 1/" + to_text(ratio) + " of its density",
+                      .composition = composition<TypeParam, space::planar_1d>(),
+                      .measure = measure,
+                      .value = got,
+                      .bound = bound,
+                      .unit = unit,
+                      .note = floors(sim)});
       EXPECT_LT(got, bound) << measure;
     };
     row("deepest overlap of their points + 1 (below 1: none)", overlap + 1, 1, "cells");

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Extremes 3 to 6, gas in one dimension: the 123 problem and ten times its speed (true vacuum), LeBlanc, the double blast wave, free expansion.
+// Extremes 3 to 6, gas in one dimension: the 123 problem and ten times its speed (true vacuum), LeBlanc, the double blast wave, free
+// expansion.
 //
-// Where gas thins by 18 (LeBlanc) or 46 (123), two points per cell end up 9 or 23 cells apart and no longer see each other: the driver gas is
-// seeded finer by so much, as its user must. The viscosity of noh.hpp for APIC; FLIP has none of its own and takes more.
+// Where gas thins by 18 (LeBlanc) or 46 (123), two points per cell end up 9 or 23 cells apart and no longer see each other: the driver gas
+// is seeded finer by so much, as its user must. The viscosity of noh.hpp for APIC; FLIP has none of its own and takes more.
 #include "extreme/noh.hpp"
 
 namespace bolide {
@@ -11,10 +12,20 @@ using namespace extreme;
 using point = vec<double, 1>;
 
 using float_apic_musl = method<shape::quadratic_bspline, transfer::apic, scheme::musl, float>;
-template <class Method> viscosity::bulk weak() { return Method::transfer_type::affine ? viscosity::bulk{0.1, 0.1} : viscosity::bulk{0.67, 0.3}; }
-template <class Method> void report(const char* problem, const char* measure, double value, double bound, const std::string& note = "", const char* unit = "", double order = verify::none) {
-  verify::record({.section = "extremes", .problem = problem, .composition = composition<Method, space::planar_1d>(), .measure = measure, .value = value, .bound = bound,
-                  .order = order, .unit = unit, .note = note});
+template <class Method> viscosity::bulk weak() {
+  return Method::transfer_type::affine ? viscosity::bulk{0.1, 0.1} : viscosity::bulk{0.67, 0.3};
+}
+template <class Method> void report(const char* problem, const char* measure, double value, double bound, const std::string& note = "",
+                                    const char* unit = "", double order = verify::none) {
+  verify::record({.section = "extremes",
+                  .problem = problem,
+                  .composition = composition<Method, space::planar_1d>(),
+                  .measure = measure,
+                  .value = value,
+                  .bound = bound,
+                  .order = order,
+                  .unit = unit,
+                  .note = note});
 }
 
 template <class Method> class Gas : public testing::Test {};
@@ -28,8 +39,9 @@ TYPED_TEST(Gas, ReceivesAVacuum) {
     const double h = 0.005, t = 0.15 * 2 / u, c0 = std::sqrt(1.4 * 0.4), front = u + 5 * c0;
     const auto matter = gas(1.4, 1, weak<TypeParam>());
     const initial_state at{1, 1};
-    auto sim = make<TypeParam, space::planar_1d>(h, one_thread<T>(), body{"left", box{point{-0.5}, point{0.}}, matter, h / 40, at, point{-u}},
-                                                 body{"right", box{point{0.}, point{0.5}}, matter, h / 40, at, point{u}});
+    auto sim =
+        make<TypeParam, space::planar_1d>(h, one_thread<T>(), body{"left", box{point{-0.5}, point{0.}}, matter, h / 40, at, point{-u}},
+                                          body{"right", box{point{0.}, point{0.5}}, matter, h / 40, at, point{u}});
     sim.run(t);
     is_sound(sim);
     double mass = 0, volume = 0, thinnest = 1, fastest = 0;
@@ -44,7 +56,9 @@ TYPED_TEST(Gas, ReceivesAVacuum) {
     const std::string name = "123 problem, speed " + to_text(u) + ", 200 cells";
     report<TypeParam>(name.c_str(), "steps over t (c+v)/(Courant h)", static_cast<double>(sim.steps()) / wanted_steps, 3, note);
     report<TypeParam>(name.c_str(), "fastest particle over the exact front", fastest / front, 1, note);
-    if (u == 2) report<TypeParam>(name.c_str(), "density at the middle, error", mass / volume / 0.0218521 - 1, verify::none, "points drift a cell apart there");
+    if (u == 2)
+      report<TypeParam>(name.c_str(), "density at the middle, error", mass / volume / 0.0218521 - 1, verify::none,
+                        "points drift a cell apart there");
     EXPECT_GT(thinnest, 0);
     EXPECT_LT(static_cast<double>(sim.steps()), 3 * wanted_steps);
     EXPECT_LT(fastest, front);
@@ -59,18 +73,21 @@ TYPED_TEST(Gas, LeBlancShockArrives) {
   for (const int cells : {200, 500, 2000}) {
     const double h = 9.0 / cells;
     const auto matter = gas(5.0 / 3, 1, weak<TypeParam>());
-    auto sim = make<TypeParam, space::planar_1d>(h, one_thread<T>(), body{"driver", box{point{-3.}, point{0.}}, matter, h / 24, initial_state{1, 0.1}},
+    auto sim = make<TypeParam, space::planar_1d>(h, one_thread<T>(),
+                                                 body{"driver", box{point{-3.}, point{0.}}, matter, h / 24, initial_state{1, 0.1}},
                                                  body{"driven", box{point{0.}, point{6.}}, matter, h / 2, initial_state{0.001, 1e-7}});
     sim.add(grid::mirror{0, -(cells / 3) * h, true}).add(grid::mirror{0, (cells - cells / 3) * h, false});
     sim.run(6);
     is_sound(sim, {sizeof(T) == 8 ? 1e-9 : 1e-3, sizeof(T) == 8 ? 1e-9 : 1e-2, 2});
     double shock = 0; // the outermost driven gas that is compressed halfway, 0.001 to 0.004
     for_each_particle(sim, [&](const auto& s, std::size_t i) {
-      if (s.name == "driven" && value<field::mass>(s, i) / value<field::volume>(s, i) > 0.0025) shock = std::max(shock, value<field::position>(s, i));
+      if (s.name == "driven" && value<field::mass>(s, i) / value<field::volume>(s, i) > 0.0025)
+        shock = std::max(shock, value<field::position>(s, i));
     });
     errors[k] = shock / (7.9747 - 3) - 1;
     const std::string name = "LeBlanc, " + std::to_string(cells) + " cells";
-    report<TypeParam>(name.c_str(), "shock position from the diaphragm, error", errors[k], cells == 2000 ? 0.02 : verify::none, floors(sim));
+    report<TypeParam>(name.c_str(), "shock position from the diaphragm, error", errors[k], cells == 2000 ? 0.02 : verify::none,
+                      floors(sim));
     ++k;
   }
   EXPECT_LT(std::abs(errors[2]), 0.02);

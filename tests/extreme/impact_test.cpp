@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Extreme 10: the paper's impact (sphere of 9.5 mm on a plate of 2.2 mm) on cells of 0.4 mm at 0.5, 6.64, 20, 40 and 70 km/s, time scaled by 6640 m/s over the
-// speed: it ends, the energy holds, and its r-z mirror image along z gives the mirrored answer.
+// Extreme 10: the paper's impact (sphere of 9.5 mm on a plate of 2.2 mm) on cells of 0.4 mm at 0.5, 6.64, 20, 40 and 70 km/s, time scaled
+// by 6640 m/s over the speed: it ends, the energy holds, and its r-z mirror image along z gives the mirrored answer.
 #include "extreme/extreme.hpp"
 
 #include "bolide/eos/tillotson.hpp"
@@ -55,9 +55,14 @@ TYPED_TEST(Impact, EndsAndKeepsItsBooks) {
       sim.run(until);
       is_sound(sim);
       const auto r = measure(sim, 1);
-      verify::record({.section = "extremes", .problem = std::string("the paper's impact, ") + name + ", cells of 0.4 mm, " + to_text(v / 1000) + " km/s",
-                      .composition = composition<TypeParam, space::axisymmetric>(), .measure = "total energy, change", .value = r.energy, .bound = 0.02,
-                      .seconds = sim.solver_seconds(), .note = std::to_string(sim.steps()) + " steps, front at " + to_text(r.front / (v * until)) + " V t, " + floors(sim)});
+      verify::record({.section = "extremes",
+                      .problem = std::string("the paper's impact, ") + name + ", cells of 0.4 mm, " + to_text(v / 1000) + " km/s",
+                      .composition = composition<TypeParam, space::axisymmetric>(),
+                      .measure = "total energy, change",
+                      .value = r.energy,
+                      .bound = 0.02,
+                      .seconds = sim.solver_seconds(),
+                      .note = std::to_string(sim.steps()) + " steps, front at " + to_text(r.front / (v * until)) + " V t, " + floors(sim)});
       EXPECT_LT(std::abs(r.energy), 0.02);
       EXPECT_GT(r.front / (v * until), 0.4);
     }
@@ -66,7 +71,8 @@ TYPED_TEST(Impact, EndsAndKeepsItsBooks) {
   run("Tillotson", tillotson(), 2700);
 }
 
-/// The mirror image of the scene gives the mirror image of the answer, but for the order of sums: the cloud is chaotic, so it is asked at first contact.
+/// The mirror image of the scene gives the mirror image of the answer, but for the order of sums: the cloud is chaotic, so it is asked at
+/// first contact.
 TYPED_TEST(Impact, IsSymmetric) {
   using T = typename TypeParam::scalar;
   for (const double v : {500., 70e3}) {
@@ -75,8 +81,12 @@ TYPED_TEST(Impact, IsSymmetric) {
     b.run(0.3 * us * 6640 / v);
     const auto x = measure(a, 1), y = measure(b, -1);
     const double worst = std::max(std::abs(x.front / y.front - 1), std::abs(x.width / y.width - 1)), bar = sizeof(T) == 8 ? 1e-6 : 1e-2;
-    verify::record({.section = "extremes", .problem = "the paper's impact and its mirror image, " + to_text(v / 1000) + " km/s",
-                    .composition = composition<TypeParam, space::axisymmetric>(), .measure = "front and width, largest difference", .value = worst, .bound = bar});
+    verify::record({.section = "extremes",
+                    .problem = "the paper's impact and its mirror image, " + to_text(v / 1000) + " km/s",
+                    .composition = composition<TypeParam, space::axisymmetric>(),
+                    .measure = "front and width, largest difference",
+                    .value = worst,
+                    .bound = bar});
     EXPECT_LT(worst, bar);
   }
 }

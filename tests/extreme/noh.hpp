@@ -5,9 +5,10 @@
 // What spoils it. Ahead of the shock the gas converges, D = -(k-1)/r < 0, and an artificial viscosity that sees tr(L) heats it:
 //   de/dt = c_q h^2 |D|^3  along  dr/dt = -1:   e(r) = c_q (k-1)^3 h^2 / (2 r^2),
 // 0.06 at r = 0.1 for c_q = 1.5, h = 0.01, k = 3 against the 0.5 of the shock; and in a shock that is n cells thick the same hoop terms act
-// on rho between its two sides. Both make too much entropy for n h / r that is not small, and pressure is fixed by momentum, so density is low.
-// APIC's own transfer dissipates as a viscosity does: with it c_q 1.5 is too much. With c_q 0.1 and c_l 0.1 the shock is three cells thick and
-// density is right at 200 cells. USF compresses a volume by the velocities of the step before: 6 % too dense at Courant 0.4, 3 % at 0.2.
+// on rho between its two sides. Both make too much entropy for n h / r that is not small, and pressure is fixed by momentum, so density is
+// low. APIC's own transfer dissipates as a viscosity does: with it c_q 1.5 is too much. With c_q 0.1 and c_l 0.1 the shock is three cells
+// thick and density is right at 200 cells. USF compresses a volume by the velocities of the step before: 6 % too dense at Courant 0.4, 3 %
+// at 0.2.
 #pragma once
 
 #include "extreme/extreme.hpp"
@@ -37,10 +38,10 @@ struct noh_case {
   double courant = 0.4;
 };
 struct noh_result {
-  double density = 0;  // of the plateau r 0.05-0.15: mass over particle volumes
-  double geometric = 0; // mass over the volume of that region
-  double shock = 0;    // where the density passes the mean of both sides
-  double wall = 0;     // density at r < 0.03
+  double density = 0;      // of the plateau r 0.05-0.15: mass over particle volumes
+  double geometric = 0;    // mass over the volume of that region
+  double shock = 0;        // where the density passes the mean of both sides
+  double wall = 0;         // density at r < 0.03
   double energy_ahead = 0; // J/kg at r 0.25
   double seconds = 0;
   long steps = 0;
@@ -144,19 +145,29 @@ template <class Method> noh_result record_noh(const noh_case& q, bool gated, con
   const char* kind = q.axes == 1 ? "planar" : q.axes == 2 ? "cylinder" : "sphere (r-z)";
   const std::string with = q.axes == 1 ? composition<Method, space::planar_1d>() : composition<Method, space::axisymmetric>();
   char what[120];
-  std::snprintf(what, sizeof what, "Noh, %s, e0 %g, %d cells, c_q %g, c_l %g, Courant %g", kind, q.energy, q.cells, q.quadratic, q.linear, q.courant);
+  std::snprintf(what, sizeof what, "Noh, %s, e0 %g, %d cells, c_q %g, c_l %g, Courant %g", kind, q.energy, q.cells, q.quadratic, q.linear,
+                q.courant);
   const auto row = [&](const char* measure, double value, double bound, const char* unit, const std::string& note) {
-    verify::record({.section = "extremes", .problem = what, .composition = with, .measure = measure, .value = value,
-                    .bound = gated ? bound : verify::none, .seconds = r.seconds, .unit = unit, .note = note});
-    if (gated) {
-      EXPECT_LT(std::abs(value), bound) << what << ": " << measure;
-    }
+    verify::record({.section = "extremes",
+                    .problem = what,
+                    .composition = with,
+                    .measure = measure,
+                    .value = value,
+                    .bound = gated ? bound : verify::none,
+                    .seconds = r.seconds,
+                    .unit = unit,
+                    .note = note});
+    if (gated) { EXPECT_LT(std::abs(value), bound) << what << ": " << measure; }
   };
   row("density at r 0.05-0.15 from particle volumes, error", r.density / exact - 1, 0.05, "", why);
   row("density at r 0.05-0.15 from the mass there, error", r.geometric / exact - 1, 0.05, "", why);
   row("shock radius less 0.2", (r.shock - 0.2) * q.cells, 2, "cells", why);
-  verify::record({.section = "extremes", .problem = what, .composition = with, .measure = "wall heating: density at r < 0.03, error",
-                  .value = r.wall / exact - 1, .note = "too hot where the shock formed, the density is low there"});
+  verify::record({.section = "extremes",
+                  .problem = what,
+                  .composition = with,
+                  .measure = "wall heating: density at r < 0.03, error",
+                  .value = r.wall / exact - 1,
+                  .note = "too hot where the shock formed, the density is low there"});
   return r;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Extremes 1 and 2: Noh's implosion, planar and cylindrical, from cold gas of e = 0, 1e-30, 1e-12 and 1e-6 J/kg. The sphere: noh_slow_test.cpp.
+// Extremes 1 and 2: Noh's implosion, planar and cylindrical, from cold gas of e = 0, 1e-30, 1e-12 and 1e-6 J/kg. The sphere:
+// noh_slow_test.cpp.
 #include "extreme/noh.hpp"
 
 namespace bolide {
@@ -19,9 +20,14 @@ TYPED_TEST(Noh, TheColdnessOfTheGasDoesNotMatter) {
   for (const int axes : {1, 2}) {
     const double at_zero = noh<TypeParam>({.axes = axes, .cells = 100}).density;
     double worst = 0;
-    for (const double e : {1e-30, 1e-12, 1e-6}) worst = std::max(worst, std::abs(noh<TypeParam>({.axes = axes, .cells = 100, .energy = e}).density / at_zero - 1));
-    verify::record({.section = "extremes", .problem = std::string("Noh, ") + (axes == 1 ? "planar" : "cylinder") + ", e0 1e-30, 1e-12, 1e-6 against 0",
-                    .composition = axes == 1 ? composition<TypeParam, space::planar_1d>() : composition<TypeParam, space::axisymmetric>(), .measure = "change of the plateau density", .value = worst, .bound = 1e-3});
+    for (const double e : {1e-30, 1e-12, 1e-6})
+      worst = std::max(worst, std::abs(noh<TypeParam>({.axes = axes, .cells = 100, .energy = e}).density / at_zero - 1));
+    verify::record({.section = "extremes",
+                    .problem = std::string("Noh, ") + (axes == 1 ? "planar" : "cylinder") + ", e0 1e-30, 1e-12, 1e-6 against 0",
+                    .composition = axes == 1 ? composition<TypeParam, space::planar_1d>() : composition<TypeParam, space::axisymmetric>(),
+                    .measure = "change of the plateau density",
+                    .value = worst,
+                    .bound = 1e-3});
     EXPECT_LT(worst, 1e-3);
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Extreme 18 and how a run stops: particles leave, all of them leave, there are none, the step is 0, something is not a number. Each ends in a count or in a
-// sentence that names the cause, the particle and the step, never in silence.
+// Extreme 18 and how a run stops: particles leave, all of them leave, there are none, the step is 0, something is not a number. Each ends
+// in a count or in a sentence that names the cause, the particle and the step, never in silence.
 #include "extreme/extreme.hpp"
 
 namespace bolide {
@@ -14,16 +14,19 @@ using methods = testing::Types<linear_flip_usf, bspline_apic_musl, float_apic_mu
 TYPED_TEST_SUITE(Scene, methods, method_names);
 
 template <class Method> void record(const char* problem, const char* measure, double got, double bound, const std::string& note = "") {
-  verify::record({.section = "extremes", .problem = problem, .composition = composition<Method, space::axisymmetric>(), .measure = measure, .value = got, .bound = bound,
+  verify::record({.section = "extremes",
+                  .problem = problem,
+                  .composition = composition<Method, space::axisymmetric>(),
+                  .measure = measure,
+                  .value = got,
+                  .bound = bound,
                   .note = note});
   EXPECT_LE(std::abs(got), bound) << problem << ": " << measure;
 }
 template <class F> std::string message_of(F&& f) {
   try {
     f();
-  } catch (const run_stopped& e) {
-    return e.what();
-  } catch (const bad_parameter& e) {
+  } catch (const run_stopped& e) { return e.what(); } catch (const bad_parameter& e) {
     return e.what();
   }
   return "";
@@ -46,8 +49,8 @@ TYPED_TEST(Scene, WhatLeavesIsCounted) {
   const auto& books = sim.energies();
   EXPECT_GT(books.particles_left, 0u);
   EXPECT_EQ(sim.particle_count() + books.particles_left, before);
-  record<TypeParam>("an impact in a box that material leaves", "mass here and gone, error", (now + books.mass_left) / mass - 1, sizeof(T) == 8 ? 1e-14 : 1e-6,
-                    std::to_string(books.particles_left) + " of " + std::to_string(before) + " left");
+  record<TypeParam>("an impact in a box that material leaves", "mass here and gone, error", (now + books.mass_left) / mass - 1,
+                    sizeof(T) == 8 ? 1e-14 : 1e-6, std::to_string(books.particles_left) + " of " + std::to_string(before) + " left");
   record<TypeParam>("an impact in a box that material leaves", "energy here and gone, error", books.drift(), sizeof(T) == 8 ? 1e-12 : 1e-4);
 }
 
@@ -63,8 +66,8 @@ TYPED_TEST(Scene, AnEmptyGridIsNoAccident) {
   EXPECT_EQ(sim.particle_count(), 0u);
   EXPECT_LT(std::abs(books.drift()), sizeof(T) == 8 ? 1e-12 : 1e-4);
   EXPECT_EQ(message, "");
-  record<TypeParam>("all material leaves", "particles neither here nor counted", static_cast<double>(before) - static_cast<double>(books.particles_left), 0,
-                    "the run goes on to its end");
+  record<TypeParam>("all material leaves", "particles neither here nor counted",
+                    static_cast<double>(before) - static_cast<double>(books.particles_left), 0, "the run goes on to its end");
 }
 
 TYPED_TEST(Scene, NoParticlesIsRefused) {
@@ -88,7 +91,8 @@ TYPED_TEST(Scene, AStepOfZeroChangesNothing) {
   const double state = hash();
   for (int i = 0; i < 5; ++i) sim.step(0);
   EXPECT_EQ(sim.time(), time);
-  record<TypeParam>("five steps of 0 s in an impact", "sum of positions and velocities, change", hash() / state - 1, TypeParam::transfer_type::affine ? 1e-3 : 1e-6,
+  record<TypeParam>("five steps of 0 s in an impact", "sum of positions and velocities, change", hash() / state - 1,
+                    TypeParam::transfer_type::affine ? 1e-3 : 1e-6,
                     TypeParam::transfer_type::affine ? "APIC filters velocities by the grid in every step, of whatever length" : "");
   record<TypeParam>("five steps of 0 s in an impact", "total energy, change", sim.energies().now.total() / total - 1, 1e-6);
   sim.run(time + 0.02 * us);
@@ -107,7 +111,8 @@ TYPED_TEST(Scene, NotANumberDoesNotTravel) {
     const std::string message = message_of([&] { sim.run(1 * us); });
     EXPECT_NE(message.find("stopped at step"), std::string::npos) << message;
     EXPECT_NE(message.find("particle"), std::string::npos);
-    record<TypeParam>("a velocity that is no number, after step 10", "steps until the run stops", static_cast<double>(sim.steps() - 10), 2, message.substr(0, 90));
+    record<TypeParam>("a velocity that is no number, after step 10", "steps until the run stops", static_cast<double>(sim.steps() - 10), 2,
+                      message.substr(0, 90));
   }
 }
 
@@ -125,7 +130,8 @@ TYPED_TEST(Scene, EveryStopSaysWhy) {
   auto floored = small_impact<TypeParam>(aluminium(), {}, c);
   const auto message = message_of([&] { floored.run(1 * us); });
   EXPECT_NE(message.find("below its floor"), std::string::npos) << message;
-  for (const char* word : {"step", "time", "particle", "position", "velocity", "density", "energy", "pressure"}) EXPECT_NE(message.find(word), std::string::npos) << word;
+  for (const char* word : {"step", "time", "particle", "position", "velocity", "density", "energy", "pressure"})
+    EXPECT_NE(message.find(word), std::string::npos) << word;
 }
 
 } // namespace

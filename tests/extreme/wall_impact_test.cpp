@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Extreme 8: aluminium on a rigid wall at 10, 20, 30 and 70 km/s against the exact Hugoniot Us = c0 + s V, P = rho0 Us V: 521, 1787, 3799 and
-// 19298 GPa. FLIP wants the linear viscosity of 1: with 0.3 its noise in the stiff equation of state makes the mean pressure 7 % too high.
-// At 70 km/s the state, 3.41 rho0, lies just below the guard of the equation of state (3.45 rho0; the pole is at 3.96): what overshoots is counted.
+// Extreme 8: aluminium on a rigid wall at 10, 20, 30 and 70 km/s against the exact Hugoniot Us = c0 + s V, P = rho0 Us V: 521, 1787, 3799
+// and 19298 GPa. FLIP wants the linear viscosity of 1: with 0.3 its noise in the stiff equation of state makes the mean pressure 7 % too
+// high. At 70 km/s the state, 3.41 rho0, lies just below the guard of the equation of state (3.45 rho0; the pole is at 3.96): what
+// overshoots is counted.
 #include "extreme/extreme.hpp"
 
 namespace bolide {
@@ -16,7 +17,8 @@ TYPED_TEST_SUITE(Wall, methods, method_names);
 struct shocked {
   double pressure, density, front; // Pa, kg/m3, m
 };
-/// Means by volume of what the shock has passed, ten cells off the wall and off the shock; the front is where the pressure passes half of `exact`.
+/// Means by volume of what the shock has passed, ten cells off the wall and off the shock; the front is where the pressure passes half of
+/// `exact`.
 template <class Solver> shocked measure(Solver& sim, double exact) {
   const double h = sim.cell();
   std::vector<double> p(400, 0.0), v = p;
@@ -57,7 +59,8 @@ TYPED_TEST(Wall, TheHugoniotIsReached) {
   const material al{metal, strength::none{}, failure::none{}, q};
   for (const double v : {10e3, 20e3, 30e3, 70e3}) {
     const double us = c0 + slope * v, exact = rho0 * us * v, front_speed = us - v;
-    auto sim = make<TypeParam, space::planar_1d>(h, c, body{"slab", box{point{0.}, point{400 * h}}, al, h / 2, initial_state{rho0, 0}, point{-v}});
+    auto sim =
+        make<TypeParam, space::planar_1d>(h, c, body{"slab", box{point{0.}, point{400 * h}}, al, h / 2, initial_state{rho0, 0}, point{-v}});
     sim.add(grid::mirror{0, 0, true});
     sim.run(50 * h / front_speed);
     const auto early = measure(sim, exact);
@@ -68,8 +71,13 @@ TYPED_TEST(Wall, TheHugoniotIsReached) {
     const double speed = (late.front - early.front) / (sim.time() - first) + v;
     const std::string name = "aluminium on a rigid wall, " + to_text(v / 1000) + " km/s";
     const auto row = [&](const char* what, double got) {
-      verify::record({.section = "extremes", .problem = name, .composition = composition<TypeParam, space::planar_1d>(), .measure = what,
-                      .value = got, .bound = 0.03, .note = floors(sim)});
+      verify::record({.section = "extremes",
+                      .problem = name,
+                      .composition = composition<TypeParam, space::planar_1d>(),
+                      .measure = what,
+                      .value = got,
+                      .bound = 0.03,
+                      .note = floors(sim)});
       EXPECT_LT(std::abs(got), 0.03) << name << ": " << what;
     };
     row("pressure, error", late.pressure / exact - 1);
