@@ -5,6 +5,8 @@
 #include "bolide/core/algebra.hpp"
 #include "bolide/core/contract.hpp"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -18,11 +20,12 @@ struct initial_state {
 };
 
 /// One particle before the first step, offered to solver.initialise: position (m), velocity (m/s), density (kg/m3; its mass follows,
-/// its volume stays) and specific energy (J/kg) may be changed.
+/// its volume stays) and specific energy (J/kg) may be changed, and the gradient of the velocity (row by row, 1/s) that APIC starts from.
 template <int Dim> struct initial_point {
   const std::string& body;
   vec<double, Dim> position, velocity;
   double density, energy;
+  std::array<double, static_cast<std::size_t>(Dim* Dim)> velocity_gradient{};
 };
 
 /// Random shift of the lattice points: uniform within +-fraction of the spacing on each axis, mass kept; the same seed, the same points.

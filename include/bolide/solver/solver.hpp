@@ -152,6 +152,8 @@ public:
           p.template get<field::position>(d)[i] = static_cast<T>(point.position[d]);
           p.template get<field::velocity>(d)[i] = p.template get<field::carrying_velocity>(d)[i] = static_cast<T>(point.velocity[d]);
         }
+        if constexpr (Transfer::affine)
+          for (int c = 0; c < dim * dim; ++c) p.template get<field::affine_velocity>(c)[i] = static_cast<T>(point.velocity_gradient[static_cast<std::size_t>(c)]);
         s.material.initialise(p, i, 1, point.density, point.energy);
       }
     });
@@ -321,6 +323,17 @@ private:
     return numbers;
   }
 
+  /// A body that reaches beyond a mirror would be folded over on the first step, onto its other half.
+  void check_side(const grid::mirror_nodes<dim>& m) const {
+    const double plane = m.line() * phases_.h, round_off = 1e-6 * phases_.h;
+    phases_.for_each_set([&](const auto& s) {
+      const T* x = s.columns.template get<field::position>(static_cast<int>(m.axis()));
+      for (std::size_t i = 0; i < s.columns.size(); ++i)
+        require(m.material_above() ? static_cast<double>(x[i]) >= plane - round_off : static_cast<double>(x[i]) <= plane + round_off,
+                "coordinate " + std::to_string(m.axis()) + " of a particle of body " + s.name, static_cast<double>(x[i]),
+                std::string(m.material_above() ? "at least " : "at most ") + to_text(plane) + ", where a mirror stands (seed the body on its side only)", "m");
+    });
+  }
   /// Wide particles leave gaps: with one per cell material that is stretched at all has nodes between its particles that see none of them.
   void check_spacing(double h, const std::string& name, double spacing) const {
     if (!controls_.accept_one_particle_per_cell)
@@ -366,6 +379,7 @@ private:
     threads_ = controls_.threads > 0 ? controls_.threads : omp_get_max_threads();
     omp_set_num_threads(threads_);
 #endif
+    for (const auto& m : phases_.mirrors) check_side(m);
     phases_.energy.momentum_scale = measure_energy(); // before sort(), which may let particles leave that start outside the box
     phases_.energy.initial = phases_.energy.now;
     phases_.energy.momentum_initial = phases_.energy.momentum_now;

@@ -137,6 +137,8 @@ TEST(Boundaries, BadOnesAreRefusedWithASentence) {
   EXPECT_THROW(sim.add(grid::moving_wall{2, 0, 1}), bad_parameter);
   sim.add(grid::mirror{0, 0, true});
   EXPECT_THROW(sim.add(grid::periodic{0, 0, 20 * mm}), bad_parameter) << "a mirror is there";
+  sim.add(grid::mirror{0, 10 * mm, false});
+  EXPECT_THROW(sim.step(), bad_parameter) << "half of the bar is beyond that mirror";
   const body coarse{"coarse", box{p1{0}, p1{20 * mm}}, fluid(), 1 * mm, initial_state{2785, 0}};
   EXPECT_THROW((solver{space::planar_1d{}, grid::sparse{1 * mm}, shape::linear{}, transfer::flip{}, scheme::usf{}, one_thread<double>(), coarse}), bad_parameter);
   auto c = one_thread<double>();

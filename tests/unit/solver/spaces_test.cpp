@@ -99,6 +99,24 @@ TYPED_TEST(ThreeDimensions, ASphereFallsFreelyInAUniformField) {
   EXPECT_NEAR(e.momentum_given[2] / e.momentum_now[2], 1, 1e-12);
 }
 
+/// A rigid rotation given with its gradient: APIC keeps its angular momentum from the first step on.
+TEST(InitialFields, ApicStartsFromTheGradientThatIsGiven) {
+  using point = vec<double, 2>;
+  const auto after_a_step = [](bool with_gradient) {
+    const body disc{"disc", sphere{point{0.1 * mm, 0.2 * mm}, 1 * mm}, aluminium(), 0.1 * mm, initial_state{2785, 0}};
+    solver sim{space::plane_strain{}, grid::sparse{0.2 * mm}, shape::quadratic_bspline{}, transfer::apic{}, scheme::usf{}, one_thread<double>(), disc};
+    const double w = 1e5;
+    sim.initialise([&](initial_point<2>& p) {
+      p.velocity = point{-w * (p.position[1] - 0.2 * mm), w * (p.position[0] - 0.1 * mm)};
+      if (with_gradient) p.velocity_gradient = {0, -w, w, 0};
+    });
+    sim.step();
+    return sim.energies().now.kinetic / sim.energies().initial.kinetic;
+  };
+  EXPECT_NEAR(after_a_step(true), 1, 1e-6) << "a rigid rotation is a linear field";
+  EXPECT_LT(after_a_step(false), 0.99) << "without its gradient a part of it is lost in the first map";
+}
+
 TEST(InitialFields, AreWhatWasSaid) {
   using point = vec<double, 2>;
   const body disc{"disc", sphere{point{0, 0}, 1 * mm}, aluminium(), 0.1 * mm, initial_state{2785, 0}};
