@@ -333,5 +333,11 @@ TEST(Observers, SeeTheStartEveryStepAndTheEnd) {
   EXPECT_EQ(finished, 1);
 }
 
+TEST(Solver, RefusesAStepThatIsNone) {
+  auto sim = small_flyer<linear_flip_usf>();
+  for (const double most : {0.0, -1e-9, std::nan("")}) EXPECT_THROW(sim.step(most), bad_parameter);
+  EXPECT_EQ(sim.steps(), 0);
+}
+
 } // namespace
 } // namespace bolide
