@@ -2,8 +2,9 @@
 // The role archive (concepts/archive.hpp) as an HDF5 file: numbers and texts are attributes of groups, vectors are data sets with a check
 // sum of their bytes as attribute. With hdf5/checkpoint.hpp the only headers that include the HDF5 library (its C interface): link bolide::hdf5.
 //
-// The file's own structure carries check sums of the library (format of HDF5 1.10), the data sets ours: a bit that flipped anywhere is
-// found when it is read, before it is used. A file is read on machines of the same byte order as the one that wrote it.
+// The file's own structure carries check sums of the library (format of HDF5 1.8), the data sets ours: a bit that flipped anywhere is
+// found when it is read, before it is used. What is written is built in memory and goes to the disk in one piece: the library
+// (1.10.8) crashes at the end of a program whose disk was full when it closed a file. A file is read on machines of the same byte order as the one that wrote it.
 #pragma once
 
 #include "bolide/concepts/archive.hpp"
@@ -138,7 +139,9 @@ public:
              ": it was written by another version of bolide");
     } else {
       groups_.clear();
-      if (H5Fflush(file_.get(), H5F_SCOPE_LOCAL) < 0 || !file_.close()) fail("cannot be written: " + detail::reason());
+      const std::string bytes = image();
+      if (!file_.close()) fail("cannot be written: " + detail::reason());
+      if (const std::string reason = observe::write_bytes(path_, bytes); !reason.empty()) fail("cannot be written: " + reason);
     }
   }
 
@@ -210,8 +213,9 @@ private:
 
   static detail::handle open(const std::filesystem::path& path) {
     const detail::handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-    H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110); // groups, attributes and headers with check sums
+    H5Pset_libver_bounds(access.get(), H5F_LIBVER_V18, H5F_LIBVER_V18); // groups, attributes and headers with check sums (the next format marks a file that is open)
     if constexpr (!reading) {
+      H5Pset_fapl_core(access.get(), std::size_t{1} << 20, 0); // in memory, grown by 1 MiB
       detail::handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose);
       if (!file) fail_at(path, "cannot be written: " + detail::reason());
       return file;
@@ -224,6 +228,14 @@ private:
       if (!file) fail_at(path, "cannot be opened: " + detail::reason());
       return file;
     }
+  }
+  /// The bytes of the file that was built.
+  std::string image() const {
+    if (H5Fflush(file_.get(), H5F_SCOPE_LOCAL) < 0) fail("cannot be written: " + detail::reason());
+    const auto size = H5Fget_file_image(file_.get(), nullptr, 0);
+    void* memory = nullptr; // of the driver: where the pointer to its bytes lies (the bytes of H5Fget_file_image have a wrong check sum)
+    if (size <= 0 || H5Fget_vfd_handle(file_.get(), H5P_DEFAULT, &memory) < 0) fail("cannot be written: " + detail::reason());
+    return std::string(*static_cast<const char* const*>(memory), static_cast<std::size_t>(size));
   }
   void header() {
     if (reading && H5Aexists(here(), "format") <= 0) fail("is an HDF5 file but no checkpoint of bolide");

@@ -44,15 +44,20 @@ inline void rename_from_aside(const std::filesystem::path& path) {
   if (error) throw output_error("cannot rename " + aside(path).string() + " to " + path.string() + ": " + error.message());
 }
 
+/// Writes these bytes over a file. Returns the system's reason where that fails, nothing where it works.
+inline std::string write_bytes(const std::filesystem::path& path, std::string_view bytes) {
+  errno = 0;
+  std::ofstream file(path, std::ios::binary | std::ios::trunc);
+  if (file) file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (file) file.close();
+  if (file) return {};
+  return errno ? std::strerror(errno) : "unknown reason";
+}
+
 /// Writes the whole content, or throws output_error and leaves what was there before.
 inline void write_whole_file(const std::filesystem::path& path, std::string_view content) {
   make_folder_of(path);
-  errno = 0;
-  std::ofstream file(aside(path), std::ios::binary | std::ios::trunc);
-  if (file) file.write(content.data(), static_cast<std::streamsize>(content.size()));
-  if (file) file.close();
-  if (!file) {
-    const std::string reason = errno ? std::strerror(errno) : "unknown reason";
+  if (const std::string reason = write_bytes(aside(path), content); !reason.empty()) {
     std::error_code ignored;
     std::filesystem::remove(aside(path), ignored);
     throw output_error("cannot write " + path.string() + ": " + reason);

@@ -162,7 +162,7 @@ public:
 
   /// One step, no longer than `most`.
   void step(double most = std::numeric_limits<double>::infinity()) {
-    require(most > 0, "longest step", most, "positive", "s");
+    require(most >= 0, "longest step", most, "non-negative", "s");
     if (!started_) start();
     const auto begin = std::chrono::steady_clock::now();
     if (box_ && phases_.beyond(box_->low, box_->high)) phases_.sorted = false; // sorting lets material leave

@@ -120,10 +120,12 @@ TYPED_TEST_SUITE(FaceParticle, every_method, method_names);
 TYPED_TEST(FaceParticle, OnACellFaceMomentumHolds) {
   using point = vec<double, 1>;
   const double h = 0.0625 * mm; // a particle per face: i h is exact in binary
+  auto c = one_thread<double>();
+  c.accept_one_particle_per_cell = true;
   const material al = aluminium();
   const body flyer{"flyer", box{point{-10.5 * h}, point{-0.5 * h}}, al, h, initial_state{2785, 0}, point{1000.}};
   const body plate{"plate", box{point{-0.5 * h}, point{10.5 * h}}, al, h, initial_state{2785, 0}};
-  solver sim{space::planar_1d{}, grid::sparse{h}, typename TypeParam::shape_type{}, typename TypeParam::transfer_type{}, typename TypeParam::scheme_type{}, one_thread<double>(),
+  solver sim{space::planar_1d{}, grid::sparse{h}, typename TypeParam::shape_type{}, typename TypeParam::transfer_type{}, typename TypeParam::scheme_type{}, c,
              flyer, plate};
   int on_face = 0;
   sim.for_each_body([&](const auto& s) {
@@ -146,10 +148,12 @@ TYPED_TEST(FaceParticle, OnACellFaceMomentumHolds) {
 TYPED_TEST(FaceParticle, OnACellFaceAxialMomentumHoldsInRZ) {
   using point = vec<double, 2>;
   const double h = 0.0625 * mm;
+  auto c = one_thread<double>();
+  c.accept_one_particle_per_cell = true;
   const material al = aluminium();
   const body flyer{"flyer", box{point{0, -6.5 * h}, point{6 * h, -0.5 * h}}, al, h, initial_state{2785, 0}, point{0, 2000.}};
   const body plate{"plate", box{point{0, -0.5 * h}, point{12 * h, 6.5 * h}}, al, h, initial_state{2785, 0}};
-  solver sim{space::axisymmetric{}, grid::sparse{h}, typename TypeParam::shape_type{}, typename TypeParam::transfer_type{}, typename TypeParam::scheme_type{}, one_thread<double>(),
+  solver sim{space::axisymmetric{}, grid::sparse{h}, typename TypeParam::shape_type{}, typename TypeParam::transfer_type{}, typename TypeParam::scheme_type{}, c,
              flyer, plate};
   for (int i = 0; i < 60; ++i) sim.step();
   EXPECT_LT(std::abs(sim.energies().momentum_error(1)), 1e-13);

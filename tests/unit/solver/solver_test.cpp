@@ -186,7 +186,7 @@ TEST(Reflection, ComesBackAndIsCounted) {
   sim.add(grid::mirror{0, -1 * mm, true});
   sim.for_each_body([&](auto& s) { // one particle is thrown at the wall faster than the grid could stop it
     for (std::size_t i = 0; i < s.columns.size(); ++i)
-      if (s.columns.id()[i] == 0) s.columns.template get<field::position>()[i] = -1 * mm - 1e-9;
+      if (s.columns.id()[i] == 0) s.columns.template get<field::position>()[i] = -1 * mm - 5e-11; // a body further beyond is refused
   });
   sim.step();
   EXPECT_EQ(sim.energies().floors[floor_kind::reflected], 1u);
@@ -333,9 +333,9 @@ TEST(Observers, SeeTheStartEveryStepAndTheEnd) {
   EXPECT_EQ(finished, 1);
 }
 
-TEST(Solver, RefusesAStepThatIsNone) {
+TEST(Solver, RefusesAStepBackwards) {
   auto sim = small_flyer<linear_flip_usf>();
-  for (const double most : {0.0, -1e-9, std::nan("")}) EXPECT_THROW(sim.step(most), bad_parameter);
+  for (const double most : {-1e-9, std::nan("")}) EXPECT_THROW(sim.step(most), bad_parameter);
   EXPECT_EQ(sim.steps(), 0);
 }
 
