@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every pair of choices that can be combined (space, shape, transfer, scheme, grid, precision) in at least one composition that is run: a
-// covering array of 19 of the 624 allowed combinations. tests/combinations runs them all (label slow).
+// covering array of 19 of the 624 allowed combinations. tests/combinations runs them all (label exhaustive).
 #include "combinations/run_once.hpp"
 
 #include <gtest/gtest.h>
