@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # bash tests/run.sh [CTEST ARGS...]    installs what is missing, builds and runs the tests.
-# Without arguments: all but those labelled slow (CI runs them while it has time) or exhaustive (a quarter of an hour of compiling). With arguments: `ctest --output-on-failure ARGS`, for example
+# Without arguments: all but those labelled slow (CI runs them while it has time) or exhaustive (a quarter of an hour of compiling).
+# With arguments: `ctest --output-on-failure ARGS`, for example
 #   bash tests/run.sh -L unit            bash tests/run.sh -R Tillotson            bash tests/run.sh -L slow
 # Standard output and the exit code are ctest's; the package manager and the build talk to standard error.
 set -u
