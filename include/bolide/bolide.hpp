@@ -104,6 +104,7 @@
 #include "bolide/failure/thermal_tension.hpp"
 #include "bolide/grid/mirror.hpp"
 #include "bolide/grid/moving_wall.hpp"
+#include "bolide/grid/node_pairs.hpp"
 #include "bolide/grid/periodic.hpp"
 #include "bolide/grid/sparse.hpp"
 #include "bolide/grid/uniform.hpp"

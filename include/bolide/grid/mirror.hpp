@@ -9,6 +9,7 @@
 #pragma once
 
 #include "bolide/core/contract.hpp"
+#include "bolide/grid/node_pairs.hpp"
 #include "bolide/grid/sparse.hpp"
 
 #include <cmath>
@@ -33,9 +34,8 @@ public:
   }
 
   template <class Map> void rebuild(const Map& map) {
-    pairs_.clear();
+    pairs_.clear(map.size() * block_map<Dim>::nodes_per_block);
     plane_.clear();
-    image_.assign(map.size() * block_map<Dim>::nodes_per_block, 0);
     for (std::size_t b = 0; b < map.size(); ++b) {
       for (int local = 0; local < block_map<Dim>::nodes_per_block; ++local) {
         auto at = map.node_at(b, local);
@@ -43,26 +43,15 @@ public:
         const std::int32_t depth = above_ ? line_ - at[axis_] : at[axis_] - line_; // > 0: beyond the plane
         if (depth == 0) plane_.push_back(node);
         if (depth <= 0) continue;
-        image_[static_cast<std::size_t>(node)] = 1;
+        pairs_.mark_image(node);
         if (depth > reach) continue;
         at[axis_] = 2 * line_ - at[axis_];
-        if (const auto real = map.node(at); real >= 0) pairs_.push_back({node, real});
+        if (const auto real = map.node(at); real >= 0) pairs_.add(node, real);
       }
     }
-    active_ = pairs_;
   }
 
-  /// A block whose image is touched is touched, and marked as holding images. From now to the next rebuild only such blocks take part in complete().
-  void spread(std::vector<char>& touched) {
-    const auto block_of = [&](std::int32_t node) -> char& { return touched[static_cast<std::size_t>(node / block_map<Dim>::nodes_per_block)]; };
-    active_.clear();
-    for (const auto& pair : pairs_) {
-      if (!block_of(pair.image) && !block_of(pair.real)) continue;
-      block_of(pair.image) = block_of(pair.real) = block_map<Dim>::holds_images;
-    }
-    for (const auto& pair : pairs_)
-      if (block_of(pair.image) && block_of(pair.real)) active_.push_back(pair);
-  }
+  void spread(std::vector<char>& touched) { pairs_.spread(touched); }
   /// Completes sums over particles of the node column that begins at `offset`; components first .. first + Dim - 1 are a vector, and
   /// `first + axis` is the one normal to the plane (first < 0: all are scalars).
   template <class Values> void complete(std::vector<Values>& sums, int first, std::size_t offset = 0) const {
@@ -71,7 +60,7 @@ public:
     const auto reflect = [&](Values& v) {
       for (int c = low; c <= high && c >= 0; ++c) v.set(c, -v[c]);
     };
-    for (const auto& [image, real] : active_) {
+    for (const auto& [image, real] : pairs_.active()) {
       Values& a = sums[offset + static_cast<std::size_t>(image)];
       Values& b = sums[offset + static_cast<std::size_t>(real)];
       reflect(a);
@@ -84,7 +73,7 @@ public:
         for (int c = low; c <= high; ++c) sums[offset + static_cast<std::size_t>(node)].set(c, 0);
   }
   /// Is this node beyond the plane? Such a node is a copy and must not be counted in sums over nodes.
-  bool is_image(std::size_t node) const { return image_[node] != 0; }
+  bool is_image(std::size_t node) const { return pairs_.is_image(node); }
   std::size_t axis() const { return axis_; }
   std::int32_t line() const { return line_; }
   bool material_above() const { return above_; }
@@ -92,15 +81,11 @@ public:
 
 private:
   static constexpr int reach = 2; // image nodes deeper than this are touched by no shape function of the library
-  struct node_pair {
-    std::int32_t image, real;
-  };
   std::size_t axis_;
   bool above_, stick_;
   std::int32_t line_ = 0;
-  std::vector<node_pair> pairs_, active_;
+  node_pairs<Dim> pairs_; // image, real
   std::vector<std::int32_t> plane_;
-  std::vector<char> image_;
 };
 
 } // namespace bolide::grid

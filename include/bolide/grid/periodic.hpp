@@ -6,6 +6,7 @@
 #pragma once
 
 #include "bolide/core/contract.hpp"
+#include "bolide/grid/node_pairs.hpp"
 #include "bolide/grid/sparse.hpp"
 
 #include <cmath>
@@ -30,8 +31,7 @@ public:
   }
 
   template <class Map> void rebuild(const Map& map) {
-    pairs_.clear();
-    image_.assign(map.size() * Map::nodes_per_block, 0);
+    pairs_.clear(map.size() * Map::nodes_per_block);
     for (std::size_t b = 0; b < map.size(); ++b)
       for (int local = 0; local < Map::nodes_per_block; ++local) {
         auto at = map.node_at(b, local);
@@ -41,45 +41,30 @@ public:
         at[axis_] += high_ - low_;
         const auto other = map.node(at);
         if (other < 0) continue;
-        pairs_.push_back({node, other});
-        image_[static_cast<std::size_t>(below ? node : other)] = 1; // one of the two is counted
+        pairs_.add(node, other);
+        pairs_.mark_image(below ? node : other); // one of the two is counted
       }
-    active_ = pairs_;
   }
-  /// As mirror_nodes::spread.
-  void spread(std::vector<char>& touched) {
-    const auto block_of = [&](std::int32_t node) -> char& { return touched[static_cast<std::size_t>(node / block_map<Dim>::nodes_per_block)]; };
-    active_.clear();
-    for (const auto& pair : pairs_) {
-      if (!block_of(pair.first) && !block_of(pair.second)) continue;
-      block_of(pair.first) = block_of(pair.second) = block_map<Dim>::holds_images;
-    }
-    for (const auto& pair : pairs_)
-      if (block_of(pair.first) && block_of(pair.second)) active_.push_back(pair);
-  }
+  void spread(std::vector<char>& touched) { pairs_.spread(touched); }
   /// Completes sums over particles of the node column that begins at `offset`.
   template <class Values> void complete(std::vector<Values>& sums, int, std::size_t offset = 0) const {
-    for (const auto& pair : active_) {
+    for (const auto& pair : pairs_.active()) {
       Values& a = sums[offset + static_cast<std::size_t>(pair.first)];
       Values& b = sums[offset + static_cast<std::size_t>(pair.second)];
       a += b;
       b = a;
     }
   }
-  bool is_image(std::size_t node) const { return image_[node] != 0; }
+  bool is_image(std::size_t node) const { return pairs_.is_image(node); }
   std::size_t axis() const { return axis_; }
   std::int32_t low() const { return low_; }   // grid lines
   std::int32_t high() const { return high_; }
 
 private:
   static constexpr int reach = 2; // nodes deeper than this beyond a line are touched by no shape function of the library
-  struct node_pair {
-    std::int32_t first, second; // the second is a period further
-  };
   std::size_t axis_;
   std::int32_t low_ = 0, high_ = 0;
-  std::vector<node_pair> pairs_, active_;
-  std::vector<char> image_;
+  node_pairs<Dim> pairs_; // the second node is a period further
 };
 
 } // namespace bolide::grid
