@@ -507,7 +507,7 @@ private:
     if (!body_forces.empty()) book(external_, energy.body_work);
     if (!walls.empty()) {
       book(wall_forces_, energy.boundary_work);
-      count_wall_momentum();
+      give_momentum([this](std::size_t i, int d) { return sums_[i][0] > T(0) && !is_image(i) ? static_cast<double>(wall_forces_[i][d]) : 0.0; });
     }
     if constexpr (Contact::multi_field) book(contact_forces_, energy.contact);
   }
@@ -604,10 +604,10 @@ private:
       for (std::size_t d = 0; d < dim; ++d) change_velocity(contact_forces_, bodies[b], static_cast<int>(d), change[d]);
     }
   }
-  void count_wall_momentum() {
+  /// Counts the momentum that forces on the nodes give in this step; force(node value, axis).
+  template <class F> void give_momentum(F&& force) {
     for (int d = 0; d < dim; ++d)
-      energy.momentum_given[static_cast<std::size_t>(d)] +=
-          static_cast<double>(dt) * sum_over_nodes([this, d](std::size_t i) { return sums_[i][0] > T(0) && !is_image(i) ? static_cast<double>(wall_forces_[i][d]) : 0.0; });
+      energy.momentum_given[static_cast<std::size_t>(d)] += static_cast<double>(dt) * sum_over_nodes([&](std::size_t i) { return force(i, d); });
   }
 
   /// sum N m b(x_p, t), and the momentum that it gives.
@@ -618,7 +618,7 @@ private:
         chunks<wants::values>(set, range, [&](std::size_t begin, int n, const stencil_type& st) { scatter_body_force(set.columns, begin, n, st, win); });
       });
     });
-    for_each_set([this](const auto& s) { this->count_given_momentum(s.columns); });
+    give_momentum([this](std::size_t i, int d) { return static_cast<double>(external_[i][d]); }); // of the real particles: before the boundaries
     complete(external_, 0);
   }
   bool is_image(std::size_t at) const {
@@ -787,12 +787,6 @@ private:
       const forces f = forces::make([&](int c) { return c < dim ? static_cast<T>(b[c < dim ? c : 0]) : T(0); });
       for (int a = 0; a < stencil_type::nodes; ++a) sum[static_cast<std::size_t>(a)] += f * st.value[a][k];
     });
-  }
-  template <class Columns> void count_given_momentum(const Columns& p) {
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      const auto b = body_force_on(p, i);
-      for (int d = 0; d < dim; ++d) energy.momentum_given[static_cast<std::size_t>(d)] += static_cast<double>(dt) * b[d];
-    }
   }
 
   /// FLIP: v_p += sum N dv, carried along with sum N (v + dv); m dv_p goes back to the nodes.
