@@ -159,6 +159,8 @@ class fragments {
     return nullptr;
   }
   static double into(const periodic_range& p, double x) { return x - (p.high - p.low) * std::floor((x - p.low) / (p.high - p.low)); }
+  /// floor(x), which far out is as much as a whole number can be: particles there share a cell and are told apart by their distances.
+  static std::int64_t cell_number(double x) { return static_cast<std::int64_t>(std::floor(std::clamp(x, -0x1p62, 0x1p62))); }
   static std::uint32_t id_of(const snapshot& s, std::size_t row) { return s.id.size() == s.size() ? s.id[row] : static_cast<std::uint32_t>(row); }
   std::uint32_t root(std::uint32_t i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
@@ -273,7 +275,7 @@ inline void fragments::link_up(const snapshot& s, const std::vector<std::size_t>
     for (int d = 0; d < dimension_; ++d) {
       const auto at = static_cast<std::size_t>(d);
       const periodic_range* p = periodic(d);
-      home.index[at] = static_cast<std::int64_t>(std::floor((p ? into(*p, x(rows[k], d)) - p->low : x(rows[k], d)) / width[at]));
+      home.index[at] = cell_number((p ? into(*p, x(rows[k], d)) - p->low : x(rows[k], d)) / width[at]);
       if (p) home.index[at] = std::clamp<std::int64_t>(home.index[at], 0, around[at] - 1);
     }
     for (int n = 0; n < neighbours; ++n) {
