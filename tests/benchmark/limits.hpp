@@ -42,7 +42,7 @@ template <class T> __attribute__((noinline)) T fma_chains(long rounds, T factor,
   using vector = typename native_pack<T>::value_type;
   const vector a = native_pack<T>(factor).v, b = native_pack<T>(shift).v;
   vector x[chains];
-  for (int k = 0; k < chains; ++k) x[k] = native_pack<T>(T(k)).v;
+  for (int k = 0; k < chains; ++k) x[k] = native_pack<T>(T(2 + k)).v; // 1 would be the fixed point of a = 0.999, b = 0.001
   for (long i = 0; i < rounds; ++i)
     for (int k = 0; k < chains; ++k) x[k] = x[k] * a + b;
   for (int k = 1; k < chains; ++k) x[0] += x[k];
