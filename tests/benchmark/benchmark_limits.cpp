@@ -11,7 +11,8 @@ using namespace bolide;
 template <class T> void fma(benchmark::State& state) {
   constexpr long rounds = 200'000;
   for (auto _ : state) benchmark::DoNotOptimize(limits::fma_chains<T>(rounds, T(0.999), T(1e-3)));
-  state.counters["flops"] = benchmark::Counter(limits::flops_per_round<T> * static_cast<double>(rounds), benchmark::Counter::kIsIterationInvariantRate);
+  const double flops = limits::flops_per_round<T> * static_cast<double>(rounds);
+  state.counters["flops"] = benchmark::Counter(flops, benchmark::Counter::kIsIterationInvariantRate);
 }
 BENCHMARK(fma<double>);
 BENCHMARK(fma<float>);

@@ -91,6 +91,7 @@ template <class T, class Shape, int Dim> auto by_the_book(const block<Dim>& scen
   }
   solver_type sim(scene.metal, domain);
   const double spacing = scene.spacing();
+  sim.particles.reserve(static_cast<std::size_t>(std::pow(2 * scene.cells, Dim)));
   for_each_lattice_point(scene.geometry(), scene.geometry().anchor(), spacing, Dim == 2, [&](const vec<double, Dim>& x) {
     typename solver_type::particle p{};
     const auto v = scene.velocity(x);

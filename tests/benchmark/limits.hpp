@@ -2,7 +2,8 @@
 // What one core of this machine can do, measured in the run that asks: the denominators of the shares that benchmarks report.
 //
 //   fma_rate<T>()             flop/s of fused multiply-adds in the widest pack, 12 independent chains (latency 4 x 2 units is 8; 14 registers)
-//   update_bandwidth(bytes)   bytes/s of x <- a x + b over an array, read and written bytes both counted; 256 MiB is memory, 512 KiB the second-level cache
+//   update_bandwidth(bytes)   bytes/s of x <- a x + b over an array, read and written bytes both counted; 256 MiB is memory, 512 KiB the
+//                             second-level cache
 //   clock_rate()              Hz, of a chain of dependent integer additions (one per cycle; x86-64 only, elsewhere 0)
 // Each takes the best of several tries in thread CPU time: other work on the machine only takes away. Some 0.1 s each.
 #pragma once

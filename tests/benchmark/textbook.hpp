@@ -187,7 +187,7 @@ private:
   }
 
   void update_stress(T dt) {
-    const T third(1.0 / 3), half(0.5), inverse_rho0 = T(1) / law.rho0;
+    const T third = T(1) / T(3), half(0.5), inverse_rho0 = T(1) / law.rho0;
     for (particle& p : particles) {
       const gradients r(p.r, r0, inverse_h), z(p.z, z0, inverse_h);
       T lrr(0), lrz(0), lzr(0), lzz(0), vr(0);
@@ -329,7 +329,7 @@ private:
   }
 
   void update_stress(T dt) {
-    const T third(1.0 / 3), half(0.5), inverse_rho0 = T(1) / law.rho0;
+    const T third = T(1) / T(3), half(0.5), inverse_rho0 = T(1) / law.rho0;
     for (particle& p : particles) {
       const gradients x(p.x[0], x0[0], inverse_h), y(p.x[1], x0[1], inverse_h), z(p.x[2], x0[2], inverse_h);
       T l[3][3] = {};
