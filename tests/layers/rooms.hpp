@@ -47,6 +47,7 @@ inline std::vector<room> make_house() {
   house.push_back({"observe", 6, {"solver"}});
   house.push_back({"png", 7, {"observe"}});
   house.push_back({"hdf5", 7, {"observe"}});
+  house.push_back({"advise", 8, {"core"}});
   return house;
 }
 inline const std::vector<room> house = make_house();

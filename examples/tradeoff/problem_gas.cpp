@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// Ideal gases: Noh's implosion onto a point and onto a line, and Sod's tube.
+//
+// Noh (gamma 5/3, rho 1, e 0, radial speed -1, t 0.6). Exact: a shock at r = 0.2, behind it rho = 4^k, p = rho/3, u = 0; ahead rho = (1 + t/r)^(k-1),
+// u = -1; k = 3 into a point (half a ball on a mirror), 2 onto a line (a slab of four cells between mirrors). `length` is 0.2, the shock's radius.
+// Viscosity 0.1 and 0.1: the default heats the gas while it converges (tests/verify/noh_problem.hpp).
+// Error: mean of the relative L1 errors sum V |q - q_exact| / sum V |q_exact| of density, pressure and radial speed over particles with r in 0.05 to 0.35
+// (the centre, which every method of this kind heats, is left out, as others do).
+//
+// Sod (gamma 1.4) to t = 0.2 in a tube of four cells' radius between walls. `length`: from the head of the fan to the shock. Error: mean of the relative L1
+// errors of density, pressure and speed over all particles, against analysis::riemann. Viscosity 1.5 and 0.06.
+#include "problems.hpp"
+#include "simulation.hpp"
+
+#include "bolide/analysis/riemann.hpp"
+#include "bolide/eos/ideal_gas.hpp"
+#include "bolide/failure/none.hpp"
+#include "bolide/material/material.hpp"
+#include "bolide/strength/none.hpp"
+
+#include <cmath>
+
+namespace tradeoff {
+namespace {
+using namespace bolide;
+
+/// Sums of |q - exact| and |exact| by volume.
+struct deviations {
+  double off[3] = {0, 0, 0}, size[3] = {0, 0, 0};
+  void add(double volume, const double (&found)[3], const double (&exact)[3]) {
+    for (int k = 0; k < 3; ++k) off[k] += volume * std::abs(found[k] - exact[k]), size[k] += volume * std::abs(exact[k]);
+  }
+  double mean() const { return (off[0] / size[0] + off[1] / size[1] + off[2] / size[2]) / 3; }
+};
+
+chosen_material gas(double gamma, const viscosity::bulk& q) {
+  return choose(material{eos::ideal_gas{{.gamma = gamma, .c_v = 1, .rho0 = 1}}, strength::none{}, failure::none{}, q}, 1, 0);
+}
+
+constexpr double noh_end = 0.6, noh_shock = 0.2;
+
+outcome measure_noh(const settings& s, int k) {
+  const double h = noh_shock / s.cells;
+  const auto cold = gas(5.0 / 3, viscosity::bulk{0.1, 0.1});
+  scene of{{}, {grid::mirror{1, 0, true}}, {}, h, 0.1, 1e-9};
+  if (k == 3) of.parts.push_back({half_ball(1), cold});
+  else of.parts.push_back({block({0, 0}, {1, 4 * h}), cold}), of.mirrors.push_back(grid::mirror{1, 4 * h, false});
+  of.at_start = [k](const point& x, int) {
+    const double r = k == 3 ? x.norm() : x[0];
+    const point n = k == 3 ? point(x / r) : point{1, 0};
+    start at{-n};
+    if (k == 3) at.gradient[0] = -(1 - n[0] * n[0]) / r, at.gradient[1] = at.gradient[2] = n[0] * n[1] / r, at.gradient[3] = -(1 - n[1] * n[1]) / r;
+    return at;
+  };
+  const auto sim = compose(s, of);
+  sim->advance(noh_end);
+  deviations d;
+  sim->each([&](const particle& p) {
+    const double r = k == 3 ? p.x.norm() : p.x[0], u = k == 3 ? p.v.dot(p.x) / r : p.v[0];
+    if (r < 0.05 || r > 0.35) return;
+    const bool inside = r < noh_shock;
+    const double rho = inside ? std::pow(4, k) : std::pow(1 + noh_end / r, k - 1);
+    d.add(p.volume, {p.mass / p.volume, p.pressure, u}, {rho, inside ? rho / 3 : 0, inside ? 0.0 : -1.0});
+  });
+  outcome o = sim->costs();
+  o.error = d.mean();
+  return o;
+}
+
+outcome measure_sod(const settings& s, double length) {
+  const double h = length / s.cells, end = 0.2, half = std::ceil(0.5 / h) * h, radius = 4 * h, gamma = 1.4;
+  scene of{{{block({0, -half}, {radius, half}), gas(gamma, viscosity::bulk{})}},
+           {grid::mirror{0, radius, false}, grid::mirror{1, -half, true}, grid::mirror{1, half, false}},
+           {},
+           h};
+  of.at_start = [](const point& x, int) {
+    start at;
+    at.density = x[1] < 0 ? 1 : 0.125;
+    at.energy = x[1] < 0 ? 2.5 : 2;
+    return at;
+  };
+  const auto sim = compose(s, of);
+  sim->advance(end);
+  const eos::ideal_gas eos{{.gamma = gamma, .c_v = 1, .rho0 = 1}};
+  const auto exact = analysis::riemann(eos, {1, 0, 1}, eos, {0.125, 0, 0.1});
+  deviations d;
+  sim->each([&](const particle& p) {
+    const auto at = exact.sample(p.x[1] / end);
+    d.add(p.volume, {p.mass / p.volume, p.pressure, p.v[1]}, {at.density, at.pressure, at.velocity});
+  });
+  outcome o = sim->costs();
+  o.error = d.mean();
+  return o;
+}
+
+const char* const noh_measure = "mean relative L1 error of rho, p and u over the particles at r 0.05 to 0.35";
+} // namespace
+
+problem noh_sphere() {
+  return {"Noh, spherical", "convergence", noh_measure, noh_shock, std::acos(-1) / 4 / square(noh_shock), noh_end * 1.75 / noh_shock, false, false, {5, 10, 20},
+          [](const settings& s) { return measure_noh(s, 3); }};
+}
+problem noh_cylinder() {
+  return {"Noh, cylindrical", "convergence", noh_measure, noh_shock, 1 / noh_shock, noh_end * 1.75 / noh_shock, true, false, {5, 10, 20},
+          [](const settings& s) { return measure_noh(s, 2); }};
+}
+problem sod_tube() {
+  const double length = 0.2 * (1.752156 + std::sqrt(1.4));
+  return {"Sod's tube", "shock", "mean relative L1 error of rho, p and v over the particles", length, 1 / length, 0.2 * 2.2 / length, true, false, {25, 50, 100, 200, 400},
+          [length](const settings& s) { return measure_sod(s, length); }};
+}
+
+} // namespace tradeoff

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// The problems, each in a file of its own that says what its error is. All are in r-z, so that every composition is compiled once.
+//
+//   name          in tables and files
+//   kind          of errors: problems of one kind are expected to lose accuracy in the same way. "shock", "convergence", "plasticity", "wave", "impact"
+//   length        m, what `settings::cells` counts: cell = length / cells
+//   extent        how much material: its area in the r-z plane over length^2, or, in a tube of four cells' width, its length over `length`
+//   duration      time x fastest speed (sound + material) over length: what steps are counted by
+//   ladder        cells of the matrix, coarse to fine, each twice the one before
+// The judge's problems are not in the matrix: the table that the advisor reads has never seen them.
+#pragma once
+
+#include "settings.hpp"
+
+#include <functional>
+
+namespace tradeoff {
+
+struct problem {
+  std::string name, kind, measure_text;
+  double length = 0, extent = 0, duration = 0;
+  bool tube = false, has_table = false;
+  std::vector<double> ladder{};
+  std::function<outcome(const settings&)> measure{}; // throws failed_run
+};
+
+// in the matrix
+problem plate_impact_paper();   // the paper's equation of state, 6.64 km/s
+problem plate_impact_steel();   // Mie-Grueneisen, 3 km/s
+problem noh_sphere();           // an ideal gas falls into one point
+problem taylor_copper();        // 190 m/s
+problem taylor_steel();         // 300 m/s
+problem breathing_aluminium();
+problem breathing_lead();
+problem paper_impact();         // the paper's case
+
+// for the judge
+problem plate_impact_copper();  // Mie-Grueneisen, 2 km/s
+problem plate_impact_tillotson(); // Tillotson's aluminium, 9 km/s
+problem noh_cylinder();         // falls onto a line
+problem taylor_aluminium();     // 250 m/s, a slender bar
+problem breathing_steel();
+problem sod_tube();
+
+std::vector<problem> matrix_problems();
+std::vector<problem> judge_problems();
+
+} // namespace tradeoff
