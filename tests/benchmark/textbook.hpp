@@ -9,7 +9,7 @@
 //   L = sum v_I grad N (r-z: and v_r / r)
 //   J <- J (1 + dt D),   s <- s + dt (W s - s W + 2 G d),  radial return to Y = Y0 + H ep
 //   q = rho h |D| (c_q h |D| + c_l c0) in compression
-//   e <- e + dt (s : d - p D) / rho                    the work of the stress: the new s and the old p (that holds q)
+//   e <- e + dt (s : d - p D) / rho                    the work of the stress as it was (p holds q)
 //   p = p_H(J) (1 - gamma0 eta / 2) + gamma0 rho0 e + q,   eta = 1 - J,   p_H = rho0 c0^2 eta / (1 - s eta)^2;  eta < 0: p_ref = rho0 c0^2 (1/J - 1)
 //   f_I = -sum V sigma grad N (r-z: and V s_tt N / r),   dv_I = f_I dt / m_I
 //   v <- v + sum N dv_I,   x <- x + dt sum N (v_I + dv_I)
@@ -206,6 +206,7 @@ private:
       const T ratio = T(1) / p.J, rho = law.rho0 * ratio;
 
       const T drr = lrr - third * divergence, dzz = lzz - third * divergence, drz = half * (lrz + lzr), w = half * (lrz - lzr);
+      const T power = p.srr * drr + p.szz * dzz + (p.srr + p.szz) * (drr + dzz) + T(2) * p.srz * drz;
       const T turn = T(2) * w * p.srz, srr = p.srr, szz = p.szz;
       p.srr += dt * (turn + law.twice_g * drr);
       p.szz += dt * (law.twice_g * dzz - turn);
@@ -216,7 +217,6 @@ private:
       p.szz *= scale;
       p.srz *= scale;
 
-      const T power = p.srr * drr + p.szz * dzz + (p.srr + p.szz) * (drr + dzz) + T(2) * p.srz * drz;
       p.e += dt * (power - p.p * divergence) * p.J * inverse_rho0;
       p.p = law.pressure(p.J, ratio, p.e) + law.viscosity(rho, divergence, h);
     }
@@ -348,6 +348,7 @@ private:
       const T dxx = l[0][0] - third * divergence, dyy = l[1][1] - third * divergence, dzz = l[2][2] - third * divergence;
       const T dxy = half * (l[0][1] + l[1][0]), dxz = half * (l[0][2] + l[2][0]), dyz = half * (l[1][2] + l[2][1]);
       const T wxy = half * (l[0][1] - l[1][0]), wxz = half * (l[0][2] - l[2][0]), wyz = half * (l[1][2] - l[2][1]);
+      const T power = p.sxx * dxx + p.syy * dyy + p.szz * dzz + T(2) * (p.sxy * dxy + p.sxz * dxz + p.syz * dyz);
       const T sxx = p.sxx, syy = p.syy, szz = p.szz, sxy = p.sxy, sxz = p.sxz, syz = p.syz;
       p.sxx += dt * (T(2) * (wxy * sxy + wxz * sxz) + law.twice_g * dxx);
       p.syy += dt * (T(2) * (wyz * syz - wxy * sxy) + law.twice_g * dyy);
@@ -364,7 +365,6 @@ private:
       p.sxz *= scale;
       p.syz *= scale;
 
-      const T power = p.sxx * dxx + p.syy * dyy + p.szz * dzz + T(2) * (p.sxy * dxy + p.sxz * dxz + p.syz * dyz);
       p.e += dt * (power - p.p * divergence) * p.J * inverse_rho0;
       p.p = law.pressure(p.J, ratio, p.e) + law.viscosity(rho, divergence, h);
     }
