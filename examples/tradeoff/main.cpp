@@ -59,8 +59,9 @@ std::string slug(const std::string& name) {
   return text;
 }
 
-advise::table measure_all(const std::vector<problem>& problems, const std::vector<task>& tasks, double minutes) {
-  const measured all = run(problems, tasks, minutes);
+/// Runs the tasks; the rows so far are in `file`, should the program be stopped.
+advise::table measure_all(const std::vector<problem>& problems, const std::vector<task>& tasks, double minutes, const std::filesystem::path& file) {
+  const measured all = run(problems, tasks, minutes, [&](const measured& so_far) { write_csv(file, {so_far.rows, {}}); });
   std::printf("%zu rows in %.0f s of CPU time; %zu runs came to no end, %zu left out for lack of time\n", all.rows.size(), all.seconds, all.failures.size(), all.left_out);
   for (const auto& f : all.failures) std::printf("  no end: %s\n", f.c_str());
   return {all.rows, "this run"};
@@ -88,7 +89,7 @@ int check(const advise::table& t) {
 int work(const request& r) {
   const std::filesystem::path out = r.out;
   const auto problems = matrix_problems();
-  advise::table t = r.from.empty() ? measure_all(problems, r.quick ? quick_tasks(problems) : all_tasks(problems), r.minutes) : advise::read_table(r.from);
+  advise::table t = r.from.empty() ? measure_all(problems, r.quick ? quick_tasks(problems) : all_tasks(problems), r.minutes, out / "tradeoff.csv") : advise::read_table(r.from);
   const std::string on = machine();
   write_csv(out / "tradeoff.csv", t);
   write_json(out / "tradeoff.json", t, on);
@@ -106,7 +107,7 @@ int work(const request& r) {
   std::string judged;
   if (r.judge) {
     const auto others = judge_problems();
-    advise::table others_rows = r.judged.empty() ? measure_all(others, judge_tasks(others), r.minutes) : advise::read_table(r.judged);
+    advise::table others_rows = r.judged.empty() ? measure_all(others, judge_tasks(others), r.minutes, out / "judge.csv") : advise::read_table(r.judged);
     const auto verdicts = judge(ask, others, others_rows);
     write_csv(out / "judge.csv", others_rows);
     judged = section(verdicts);

@@ -91,9 +91,10 @@ bolide::advise::row measure(const problem& p, const settings& s) {
   return r;
 }
 
-measured run(const std::vector<problem>& problems, const std::vector<task>& tasks, double most_minutes) {
+measured run(const std::vector<problem>& problems, const std::vector<task>& tasks, double most_minutes, const std::function<void(const measured&)>& keep) {
   measured all;
   const double begin = cpu_seconds();
+  double kept = begin;
   for (std::size_t k = 0; k < tasks.size(); ++k) {
     const task& t = tasks[k];
     const problem& p = problems[t.problem];
@@ -110,6 +111,7 @@ measured run(const std::vector<problem>& problems, const std::vector<task>& task
       all.failures.push_back(what + ": " + f.why);
       std::fprintf(stderr, "%4zu/%zu  %s\n", k + 1, tasks.size(), all.failures.back().c_str());
     }
+    if (cpu_seconds() - kept > 10) keep(all), kept = cpu_seconds();
   }
   all.seconds = cpu_seconds() - begin;
   return all;

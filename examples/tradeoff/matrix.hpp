@@ -33,8 +33,8 @@ struct measured {
   double seconds = 0;                // of CPU, all of it
 };
 
-/// Runs the tasks. What failed is noted, not measured.
-measured run(const std::vector<problem>& problems, const std::vector<task>& tasks, double most_minutes);
+/// Runs the tasks. What failed is noted, not measured. `keep`: called with the rows so far, every ten seconds of CPU time or so.
+measured run(const std::vector<problem>& problems, const std::vector<task>& tasks, double most_minutes, const std::function<void(const measured&)>& keep);
 
 /// One row: the task repeated until firm.
 bolide::advise::row measure(const problem& p, const settings& s);

@@ -7,12 +7,13 @@
 //   const auto b = ask.for_budget(what, 10);         // the most accurate within 10 s
 //   const auto c = ask.preset(what, "standard");     // draft, standard, reference
 //
-// Error of a method on n cells per length: that of the worst of the measured problems of the scene's kind. Between measured resolutions ln(error) is linear in
-// ln n; beyond the finest it goes on with the lesser of the orders fitted to all resolutions and to the last two, and no further than twice as fine.
+// Error of a method on n cells per length: the geometric mean over the measured problems of the scene's kind. Between measured resolutions ln(error) is linear
+// in ln n; beyond the finest it goes on with the lesser of the orders fitted to all resolutions and to the last two, and no further than twice as fine.
 // Cost: that measured, scaled by particles and steps of the scene (table.hpp), the geometric mean over the problems; on the machine of the table, one thread.
 // Accuracies are answered at measured resolutions (and one twice as fine), budgets at any between.
-// sure: the probability that the error stays below the asked one, when ln(true/predicted) is normal with the scatter s that problems of one kind show
-// among each other (all kinds together where the kind has one problem; 0.1 is the least). Beyond the measured resolutions 0.25 is added.
+// sure: the probability that the error stays below the asked one, when ln(true/predicted) is normal with variance s^2 (1 + 1/problems); s is the scatter that
+// problems of one kind show among each other (all kinds together where the kind has one problem; 0.1 is the least). Beyond the measured resolutions 0.25 is
+// added to s. An accuracy counts as reached where sure is at least `confidence`.
 // Presets, from the scene's front of error against cost: "draft" its cheapest point within 5 %, "standard" within 2 %, "reference" its most accurate
 // measured point. Validity: a scene is as good as its kind; an error of another measure than the table's is another number.
 // Cost of a question: some 10,000 logarithms.
@@ -24,6 +25,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -55,6 +57,7 @@ public:
       if (r.skip) add(r);
     require(!curves_.empty(), "rows of '" + table_.source + "' with skipping", 0, "at least 1");
     for (curve& c : curves_) std::sort(c.points.begin(), c.points.end(), [](const point& a, const point& b) { return a.cells < b.cells; });
+    for (const std::string& kind : kinds()) scatter_[kind] = scatter_of(kind);
   }
 
   /// Only methods for which offered(method) holds, from now on: what a program cannot compose is not advised.
@@ -63,24 +66,27 @@ public:
     require(!curves_.empty(), "measured methods that can be offered", 0, "at least 1");
   }
 
-  /// The cheapest that reaches a relative error.
-  advice for_accuracy(const scene& what, double accuracy) const {
+  static constexpr double usual_confidence = 0.75;
+
+  /// The cheapest that reaches a relative error with this probability.
+  advice for_accuracy(const scene& what, double accuracy, double confidence = usual_confidence) const {
     require(accuracy > 0 && accuracy < 1, "accuracy", accuracy, "more than 0 and less than 1 (1 % is 0.01)");
+    require(confidence > 0 && confidence < 1, "confidence", confidence, "more than 0 and less than 1");
     check(what);
     const auto all = candidates(what);
     const candidate* best = nullptr;
     std::size_t reaching = 0;
     for (const candidate& c : all) {
-      if (c.error > accuracy) continue;
+      if (sure(what, c, accuracy) < confidence) continue;
       ++reaching;
       if (!best || c.cost < best->cost) best = &c;
     }
     const bool reaches = best != nullptr;
-    if (!best) best = &*std::min_element(all.begin(), all.end(), [](const candidate& a, const candidate& b) { return a.error < b.error; });
+    if (!best) best = &*std::max_element(all.begin(), all.end(), [&](const candidate& a, const candidate& b) { return sure(what, a, accuracy) < sure(what, b, accuracy); });
     advice a = answer(what, *best, accuracy);
     a.reaches = reaches;
-    a.why = reaches ? "the cheapest of " + std::to_string(reaching) + " measured or extrapolated points, of " + std::to_string(all.size()) + ", that reach " + percent(accuracy)
-                    : "none of " + std::to_string(all.size()) + " points reaches " + percent(accuracy) + "; this is the most accurate";
+    a.why = reaches ? "the cheapest of " + std::to_string(reaching) + " measured or extrapolated points, of " + std::to_string(all.size()) + ", that reach " + percent(accuracy) + " with " + percent(confidence) + " confidence"
+                    : "none of " + std::to_string(all.size()) + " points reaches " + percent(accuracy) + " with " + percent(confidence) + " confidence; this comes nearest";
     a.why += basis(what, *best);
     return a;
   }
@@ -150,8 +156,14 @@ public:
     return all;
   }
 
-  /// Standard deviation of ln(error) among the problems of a kind (same method, same resolution); of all kinds where it has one problem.
+  /// Standard deviation of ln(error) among the problems of a kind (same method, same resolution); of all kinds together where it has one; 0.5 where none has more.
   double scatter(const std::string& kind) const {
+    const auto known = scatter_.find(kind);
+    return known != scatter_.end() ? known->second : 0.5;
+  }
+
+private:
+  double scatter_of(const std::string& kind) const {
     double sum = 0, n = 0, all_sum = 0, all_n = 0;
     for (const curve& c : curves_)
       for (const point& p : c.points) {
@@ -166,8 +178,6 @@ public:
     if (n > 0) return std::max(0.1, std::sqrt(sum / n));
     return all_n > 0 ? std::max(0.1, std::sqrt(all_sum / all_n)) : 0.5;
   }
-
-private:
   struct point {
     double cells, error, cost;
   };
@@ -187,6 +197,7 @@ private:
 
   table table_;
   std::vector<curve> curves_;
+  std::map<std::string, double> scatter_; // by kind, of all measured methods
 
   static double square_of(double x) { return x * x; }
   static std::string percent(double x) {
@@ -287,13 +298,14 @@ private:
   candidate at(const scene& what, const method& how, double cells) const {
     candidate c{how, cells, 0, 0, false};
     const auto of = curves(what.kind, how);
-    double log_cost = 0;
+    double log_cost = 0, log_error = 0;
     for (const curve* one : of) {
-      c.error = std::max(c.error, std::exp(interpolate(*one, cells, -order(*one), [](const point& p) { return p.error; })));
+      log_error += interpolate(*one, cells, -order(*one), [](const point& p) { return p.error; });
       const double grows = one->tube ? 2 : 3; // cost with cells
       log_cost += interpolate(*one, cells, grows, [](const point& p) { return p.cost; }) +
                   std::log(work(what.extent, what.duration, what.tube, cells) / work(one->extent, one->duration, one->tube, cells));
     }
+    c.error = std::exp(log_error / static_cast<double>(of.size()));
     c.cost = std::exp(log_cost / static_cast<double>(of.size()));
     c.beyond = cells > finest(of) * (1 + 1e-9);
     return c;
@@ -304,13 +316,15 @@ private:
       for (const double cells : resolutions(what.kind, how)) all.push_back(at(what, how, cells));
     return all;
   }
-  advice answer(const scene& what, const candidate& c, double asked) const {
-    const double s = scatter(what.kind) + (c.beyond ? 0.25 : 0);
-    return {c.how, c.cells, c.error, c.cost, 0.5 * std::erfc(-std::log(asked / c.error) / s / std::sqrt(2.0)), false, c.beyond, {}};
+  /// The probability that the error is at most `asked`.
+  double sure(const scene& what, const candidate& c, double asked) const {
+    const double s = (scatter(what.kind) + (c.beyond ? 0.25 : 0)) * std::sqrt(1 + 1 / static_cast<double>(curves(what.kind, c.how).size()));
+    return 0.5 * std::erfc(-std::log(asked / c.error) / s / std::sqrt(2.0));
   }
+  advice answer(const scene& what, const candidate& c, double asked) const { return {c.how, c.cells, c.error, c.cost, sure(what, c, asked), false, c.beyond, {}}; }
   std::string basis(const scene& what, const candidate& c) const {
     const std::size_t n = problems(what.kind);
-    std::string text = ", by the " + std::string(n == 1 ? "one problem" : "worst of " + std::to_string(n) + " problems") + " of kind " + what.kind + ":";
+    std::string text = ", by the " + std::string(n == 1 ? "one problem" : std::to_string(n) + " problems") + " of kind " + what.kind + ":";
     for (const curve* one : curves(what.kind, c.how))
       text += (text.back() == ':' ? " " : ", ") + one->problem + " " + percent(std::exp(interpolate(*one, c.cells, -order(*one), [](const point& p) { return p.error; })));
     return c.beyond ? text + " (beyond the finest measured)" : text;
