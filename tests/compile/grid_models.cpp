@@ -6,6 +6,7 @@
 #include "bolide/concepts/particle_storage.hpp"
 #include "bolide/concepts/time_step.hpp"
 #include "bolide/grid/mirror.hpp"
+#include "bolide/grid/node_column.hpp"
 #include "bolide/grid/periodic.hpp"
 #include "bolide/grid/sparse.hpp"
 #include "bolide/grid/uniform.hpp"
@@ -17,8 +18,8 @@ struct nothing {};
 using map = bolide::grid::block_map<2>;
 static_assert(bolide::Grid<bolide::grid::block_map<1>> && bolide::Grid<map> && bolide::Grid<bolide::grid::block_map<3>> && !bolide::Grid<nothing>);
 static_assert(bolide::Grid<bolide::grid::dense_map<1>> && bolide::Grid<bolide::grid::dense_map<2>> && bolide::Grid<bolide::grid::dense_map<3>>);
-using node = bolide::grid::node_values<double, 3>;
-static_assert(bolide::Boundary<bolide::grid::mirror_nodes<2>, map, node> && bolide::Boundary<bolide::grid::periodic_nodes<2>, map, node> && !bolide::Boundary<nothing, map, node>);
+using column = bolide::grid::node_column<double, 3>;
+static_assert(bolide::Boundary<bolide::grid::mirror_nodes<2>, map, column> && bolide::Boundary<bolide::grid::periodic_nodes<2>, map, column> && !bolide::Boundary<nothing, map, column>);
 using columns = bolide::particles::columns<float, bolide::space::axisymmetric, bolide::fields<bolide::field::mass, bolide::field::velocity>>;
 static_assert(bolide::ParticleStorage<columns> && bolide::ParticleStorage<columns, bolide::field::mass, bolide::field::velocity>);
 static_assert(!bolide::ParticleStorage<columns, bolide::field::deviator> && !bolide::ParticleStorage<nothing>);

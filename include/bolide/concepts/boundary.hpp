@@ -18,8 +18,8 @@
 
 namespace bolide {
 
-template <class B, class Grid, class Values>
-concept Boundary = requires(B boundary, const B& is, const Grid& grid, std::vector<Values>& sums, std::vector<char>& touched, std::size_t node) {
+template <class B, class Grid, class Column>
+concept Boundary = requires(B boundary, const B& is, const Grid& grid, Column& sums, std::vector<char>& touched, std::size_t node) {
   boundary.rebuild(grid);
   boundary.spread(touched);
   is.complete(sums, 0, node);

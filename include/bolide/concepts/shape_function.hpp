@@ -31,5 +31,7 @@ concept ShapeFunction = requires {
 
 /// Does a shape function depend on the particle's size?
 template <class S> inline constexpr bool shape_wants_size = requires { requires S::wants_size; };
+/// Does it say that it is straight between nodes, `straight`? Its curvature is then not asked for.
+template <class S> inline constexpr bool shape_is_straight = requires { requires S::straight; };
 
 } // namespace bolide

@@ -205,9 +205,60 @@ template <std::floating_point T> BOLIDE_INLINE T lane(T x, int) { return x; }
 template <class T, int W> BOLIDE_INLINE T lane(pack<T, W> x, int i) { return x[i]; }
 /// Stores the first n lanes.
 template <class V> BOLIDE_INLINE void store_first(V x, scalar_t<V>* to, int n) {
-  if (n == lane_width<V>) store(x, to);
+  if (n >= lane_width<V>) store(x, to);
+#if defined(__AVX512F__)
+  else if constexpr (std::is_same_v<V, pack<double, 8>>) _mm512_mask_storeu_pd(to, static_cast<__mmask8>((1u << n) - 1), (__m512d)x.v);
+  else if constexpr (std::is_same_v<V, pack<float, 16>>) _mm512_mask_storeu_ps(to, static_cast<__mmask16>((1u << n) - 1), (__m512)x.v);
+#endif
   else
     for (int i = 0; i < n; ++i) to[i] = lane(x, i);
+}
+/// The bits of a mask as lanes: lane i is yes where bit i is set.
+template <class V> BOLIDE_INLINE mask_t<V> lanes_of(unsigned bits) {
+  if constexpr (lane_width<V> == 1) return bits != 0;
+  else if constexpr (std::is_integral_v<decltype(mask_t<V>::bits)>) return {{static_cast<decltype(mask_t<V>::bits)>(bits)}};
+  else {
+    V one;
+    for (int i = 0; i < lane_width<V>; ++i) one.set(i, scalar_t<V>((bits >> i) & 1));
+    return one > V(scalar_t<V>(0));
+  }
+}
+template <class V> inline constexpr unsigned all_lanes = lane_width<V> == 32 ? ~0u : (1u << lane_width<V>) - 1;
+/// Consecutive numbers from `from` on go to the lanes whose bit is set, one after the other; the others are 0. A whole register is read.
+template <class V> BOLIDE_INLINE V spread(const scalar_t<V>* from, unsigned bits) {
+  if (bits == all_lanes<V>) return load<V>(from);
+  if constexpr (lane_width<V> == 1) return V(0);
+#if defined(__AVX512F__)
+  else if constexpr (std::is_same_v<V, pack<double, 8>>) return (typename V::value_type)_mm512_maskz_expand_pd(static_cast<__mmask8>(bits), _mm512_loadu_pd(from));
+  else if constexpr (std::is_same_v<V, pack<float, 16>>) return (typename V::value_type)_mm512_maskz_expand_ps(static_cast<__mmask16>(bits), _mm512_loadu_ps(from));
+#endif
+  else {
+    V r(scalar_t<V>(0));
+    for (int i = 0; i < lane_width<V>; ++i)
+      if ((bits >> i) & 1) r.set(i, *from++);
+    return r;
+  }
+}
+/// The reverse: the lanes whose bit is set go to consecutive places. A whole register is written; what follows the last lane is 0.
+template <class V> BOLIDE_INLINE void squeeze(V x, unsigned bits, scalar_t<V>* to) {
+  if (bits == all_lanes<V>) return store(x, to);
+  if constexpr (lane_width<V> == 1) *to = 0;
+#if defined(__AVX512F__)
+  else if constexpr (std::is_same_v<V, pack<double, 8>>) _mm512_storeu_pd(to, _mm512_maskz_compress_pd(static_cast<__mmask8>(bits), (__m512d)x.v));
+  else if constexpr (std::is_same_v<V, pack<float, 16>>) _mm512_storeu_ps(to, _mm512_maskz_compress_ps(static_cast<__mmask16>(bits), (__m512)x.v));
+#endif
+  else {
+    V r(scalar_t<V>(0));
+    int n = 0;
+    for (int i = 0; i < lane_width<V>; ++i)
+      if ((bits >> i) & 1) r.set(n++, lane(x, i));
+    store(r, to);
+  }
+}
+/// {0, 1, 2, ...}
+template <class V> BOLIDE_INLINE V lane_numbers() {
+  if constexpr (lane_width<V> == 1) return V(0);
+  else return V::make([](int i) { return i; });
 }
 /// from[index[i]] for each lane i.
 template <class V, class Index> BOLIDE_INLINE V gather(const scalar_t<V>* from, const Index& index) {

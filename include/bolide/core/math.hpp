@@ -28,8 +28,24 @@ template <std::floating_point T> BOLIDE_INLINE T cbrt(T x) { return std::cbrt(x)
 template <std::floating_point T> BOLIDE_INLINE T floor(T x) { return std::floor(x); }
 
 template <class T, int W> BOLIDE_INLINE pack<T, W> abs(pack<T, W> x) { return select(x < pack<T, W>(0), -x, x); }
-template <class T, int W> BOLIDE_INLINE pack<T, W> min(pack<T, W> a, std::type_identity_t<pack<T, W>> b) { return select(a < b, a, b); }
-template <class T, int W> BOLIDE_INLINE pack<T, W> max(pack<T, W> a, std::type_identity_t<pack<T, W>> b) { return select(a > b, a, b); }
+template <class T, int W> BOLIDE_INLINE pack<T, W> min(pack<T, W> a, std::type_identity_t<pack<T, W>> b) {
+#if defined(__AVX512F__)
+  if constexpr (sizeof(a.v) == 64) { // one instruction, the same answer: b where one is NaN; g++ makes a comparison and a blend of the line below
+    if constexpr (sizeof(T) == 8) return pack<T, W>((decltype(a.v))_mm512_maskz_min_pd(static_cast<__mmask8>(-1), (__m512d)a.v, (__m512d)b.v));
+    else return pack<T, W>((decltype(a.v))_mm512_maskz_min_ps(static_cast<__mmask16>(-1), (__m512)a.v, (__m512)b.v));
+  }
+#endif
+  return select(a < b, a, b);
+}
+template <class T, int W> BOLIDE_INLINE pack<T, W> max(pack<T, W> a, std::type_identity_t<pack<T, W>> b) {
+#if defined(__AVX512F__)
+  if constexpr (sizeof(a.v) == 64) { // one instruction, the same answer: b where one is NaN; g++ makes a comparison and a blend of the line below
+    if constexpr (sizeof(T) == 8) return pack<T, W>((decltype(a.v))_mm512_maskz_max_pd(static_cast<__mmask8>(-1), (__m512d)a.v, (__m512d)b.v));
+    else return pack<T, W>((decltype(a.v))_mm512_maskz_max_ps(static_cast<__mmask16>(-1), (__m512)a.v, (__m512)b.v));
+  }
+#endif
+  return select(a > b, a, b);
+}
 
 template <class T, int W> BOLIDE_INLINE pack<T, W> sqrt(pack<T, W> x) {
   pack<T, W> r;

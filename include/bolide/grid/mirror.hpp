@@ -54,23 +54,25 @@ public:
   void spread(std::vector<char>& touched) { pairs_.spread(touched); }
   /// Completes sums over particles of the node column that begins at `offset`; components first .. first + Dim - 1 are a vector, and
   /// `first + axis` is the one normal to the plane (first < 0: all are scalars).
-  template <class Values> void complete(std::vector<Values>& sums, int first, std::size_t offset = 0) const {
+  template <class Column> void complete(Column& sums, int first, std::size_t offset = 0) const {
     const int normal = first < 0 ? -1 : first + static_cast<int>(axis_);
     const int low = stick_ && first >= 0 ? first : normal, high = stick_ && first >= 0 ? first + Dim - 1 : normal; // components that change sign
-    const auto reflect = [&](Values& v) {
-      for (int c = low; c <= high && c >= 0; ++c) v.set(c, -v[c]);
-    };
-    for (const auto& [image, real] : pairs_.active()) {
-      Values& a = sums[offset + static_cast<std::size_t>(image)];
-      Values& b = sums[offset + static_cast<std::size_t>(real)];
-      reflect(a);
-      b += a;
-      a = b;
-      reflect(a);
+    for (int c = 0; c < Column::components; ++c) {
+      auto* const x = sums[c] + offset;
+      const bool odd = normal >= 0 && c >= low && c <= high;
+      for (const auto& [image, real] : pairs_.active()) {
+        auto &a = x[image], &b = x[real];
+        if (odd) {
+          b -= a;
+          a = -b;
+        } else {
+          b += a;
+          a = b;
+        }
+      }
+      if (odd)
+        for (const auto node : plane_) x[node] = 0;
     }
-    if (normal >= 0)
-      for (const auto node : plane_)
-        for (int c = low; c <= high; ++c) sums[offset + static_cast<std::size_t>(node)].set(c, 0);
   }
   /// Is this node beyond the plane? Such a node is a copy and must not be counted in sums over nodes.
   bool is_image(std::size_t node) const { return pairs_.is_image(node); }

@@ -47,12 +47,14 @@ public:
   }
   void spread(std::vector<char>& touched) { pairs_.spread(touched); }
   /// Completes sums over particles of the node column that begins at `offset`.
-  template <class Values> void complete(std::vector<Values>& sums, int, std::size_t offset = 0) const {
-    for (const auto& pair : pairs_.active()) {
-      Values& a = sums[offset + static_cast<std::size_t>(pair.first)];
-      Values& b = sums[offset + static_cast<std::size_t>(pair.second)];
-      a += b;
-      b = a;
+  template <class Column> void complete(Column& sums, int, std::size_t offset = 0) const {
+    for (int c = 0; c < Column::components; ++c) {
+      auto* const x = sums[c] + offset;
+      for (const auto& pair : pairs_.active()) {
+        auto &a = x[pair.first], &b = x[pair.second];
+        a += b;
+        b = a;
+      }
     }
   }
   bool is_image(std::size_t node) const { return pairs_.is_image(node); }

@@ -20,10 +20,6 @@
 
 namespace bolide::grid {
 
-/// The n values of one grid node, kept together in a register of its own so that a transfer is one multiply-add per node; padded to at
-/// least 16 bytes.
-template <class T, int N> using node_values = pack<T, std::max(N <= 2 ? 2 : N <= 4 ? 4 : 8, 16 / int(sizeof(T)))>;
-
 template <int Dim> using cell_index = std::array<std::int32_t, static_cast<std::size_t>(Dim)>;
 
 /// A rectangle of nodes relative to a block's first node, both ends included.
@@ -161,14 +157,17 @@ inline std::int32_t on_grid_line(double position, double spacing, const std::str
   return nearest;
 }
 
-/// Dense copy of the nodes of a node_range. Row stride is fixed, so that the offset of a node of the stencil is a constant.
-template <int Dim, class Values> struct window {
+/// Dense copies of N node values on the nodes of a node_range. Row stride is fixed, so that the offset of a node of the stencil is a constant.
+template <int Dim, class T, int N = 1> struct window {
   using map = block_map<Dim>;
   static constexpr int stride = 2 * map::side;
   static constexpr int reach = map::side / 2; // offset 0 is the node at -reach on every axis
   static constexpr int size = Dim == 1 ? stride : Dim == 2 ? stride * stride : stride * stride * stride;
-  alignas(64) std::array<Values, static_cast<std::size_t>(size)> node;
+  static constexpr int padding = 32; // a register may be read from the last node on
+  alignas(64) std::array<std::array<T, static_cast<std::size_t>(size + padding)>, static_cast<std::size_t>(N)> value;
 
+  T* operator[](int c) { return value[static_cast<std::size_t>(c)].data(); }
+  const T* operator[](int c) const { return value[static_cast<std::size_t>(c)].data(); }
   static int offset(const std::array<int, static_cast<std::size_t>(Dim)>& at) {
     int o = 0;
     for (std::size_t d = 0; d < Dim; ++d) o = o * stride + (at[d] + reach);

@@ -52,11 +52,35 @@ template <class Eos, class V> BOLIDE_INLINE thermal_point<V> evaluate_all(const 
     return {p.pressure, p.sound_speed_squared, V(0), V(0), V(0), V(0), V(0), V(0), V(0)};
   }
 }
+/// Sum of the first n lanes: pairs, then pairs of pairs, whatever n is.
 template <class V> BOLIDE_INLINE double sum(V x, int n) {
-  double s = 0;
-  for (int i = 0; i < n; ++i) s += static_cast<double>(lane(x, i));
-  return s;
+  if constexpr (lane_width<V> == 1) return static_cast<double>(x);
+  else {
+    alignas(64) scalar_t<V> part[lane_width<V>];
+    store(n >= lane_width<V> ? x : select(first_lanes<V>(n), x, V(scalar_t<V>(0))), part);
+    double s[lane_width<V>];
+    for (int i = 0; i < lane_width<V>; ++i) s[i] = static_cast<double>(part[i]);
+    for (int half = lane_width<V> / 2; half > 0; half /= 2)
+      for (int i = 0; i < half; ++i) s[i] += s[i + half];
+    return s[0];
+  }
 }
+/// A sum over particles that come in registers, the first n lanes of each.
+template <class V> class lane_sum {
+public:
+  BOLIDE_INLINE void add(V x, int n) {
+    if constexpr (std::is_same_v<scalar_t<V>, double> && (lane_width<V> > 1)) lanes_ += n >= lane_width<V> ? x : select(first_lanes<V>(n), x, V(0.0));
+    else total_ += sum(x, n);
+  }
+  double total() const {
+    if constexpr (std::is_same_v<scalar_t<V>, double> && (lane_width<V> > 1)) return sum(lanes_, lane_width<V>);
+    else return total_;
+  }
+
+private:
+  V lanes_{scalar_t<V>(0)};
+  double total_ = 0;
+};
 /// |curl v|^2 of a velocity gradient whose component c dim + d is dv_c/dx_d.
 template <class Space, class V> BOLIDE_INLINE V vorticity_squared(const typename Space::template gradient<V>& l) {
   constexpr std::size_t dim = Space::dim;
@@ -69,10 +93,11 @@ template <class Space, class V> BOLIDE_INLINE V vorticity_squared(const typename
 template <class V> struct modulus {
   V g, twice, quarter_inverse, third_inverse;
 };
-template <class V> BOLIDE_INLINE modulus<V> modulus_of(double g) {
-  using T = scalar_t<V>;
-  return {V(T(g)), V(T(2 * g)), V(T(1 / (4 * g))), V(T(1 / (3 * g)))};
-}
+/// What is the same for all particles of an update: divisions that are done once.
+template <class T> struct update_constants {
+  T greatest_specific_volume, reach, inverse_reach; // m3/kg, m, 1/m; reach: Courant number times cell
+  modulus<T> shear;
+};
 template <class V> BOLIDE_INLINE modulus<V> modulus_of(V g) {
   using T = scalar_t<V>;
   const V inverse = select(g > V(T(0)), T(1) / g, V(T(0)));
@@ -152,17 +177,30 @@ public:
 
   /// The constitutive update of n <= chunk_size particles from `begin`; l[c][k] is component c of the velocity gradient of particle k.
   template <class Space, class Columns>
-  void update(Columns& p, std::size_t begin, int n, const typename Columns::scalar (*l)[chunk_size], const step_context<typename Columns::scalar>& step,
+  __attribute__((noinline)) void update(Columns& p, std::size_t begin, int n, const typename Columns::scalar (*l)[chunk_size], const step_context<typename Columns::scalar>& step,
               update_report& report) const {
     using V = native_pack<typename Columns::scalar>;
-    for (int k = 0; k < n; k += lane_width<V>) update_lane<Space, V>(p, begin + static_cast<std::size_t>(k), std::min(n - k, lane_width<V>), l, k, step, report);
+    const auto run = [&](const material& m, const auto s, const auto fixed) {
+      detail::lane_sum<V> plastic_work;
+      for (int k = 0; k < n; k += lane_width<V>)
+        m.template update_lane<Space, V>(p, begin + static_cast<std::size_t>(k), std::min(n - k, lane_width<V>), l, k, s, fixed, plastic_work, report);
+      report.plastic_work += plastic_work.total();
+    };
+    if constexpr (std::is_trivially_copyable_v<material>) {
+      const material copy(*this); // no store to a column can change it: the compiler keeps its numbers in registers
+      run(copy, step, constants(step));
+    } else run(*this, step, constants(step));
   }
 
   /// The work of the nodal forces: e += dt sigma : D V/m with the stress that made the forces and the time-centred gradient l.
   template <class Space, class Columns>
   void work(Columns& p, std::size_t begin, int n, const typename Columns::scalar (*l)[chunk_size], typename Columns::scalar dt, update_report& report) const {
     using V = native_pack<typename Columns::scalar>;
-    for (int k = 0; k < n; k += lane_width<V>) work_lane<Space, V>(p, begin + static_cast<std::size_t>(k), std::min(n - k, lane_width<V>), l, k, dt, report);
+    detail::lane_sum<V> all, viscous;
+    for (int k = 0; k < n; k += lane_width<V>)
+      work_lane<Space, V>(p, begin + static_cast<std::size_t>(k), std::min(n - k, lane_width<V>), l, k, dt, all, viscous);
+    report.work_energy += all.total();
+    report.viscous_heating += viscous.total();
   }
 
   /// Everything that the equation of state knows of particle i (at the material's own volume).
@@ -211,9 +249,19 @@ private:
     return g;
   }
 
+  template <class T> detail::update_constants<T> constants(const step_context<T>& step) const {
+    detail::update_constants<T> c{static_cast<T>(expansion_limit / eos.reference_density()), step.courant * step.cell, T(1) / (step.courant * step.cell), {}};
+    if constexpr (Strength::carries_shear) {
+      const double g = strength.shear_modulus;
+      c.shear = {static_cast<T>(g), static_cast<T>(2 * g), static_cast<T>(1 / (4 * g)), static_cast<T>(1 / (3 * g))};
+    }
+    return c;
+  }
+
   /// The shear modulus that the stored deviator was made with, and the one of the new state.
-  template <class V, class Columns> BOLIDE_INLINE detail::modulus<V> modulus_before(const Columns& p, std::size_t at) const {
-    if constexpr (!varies && !softens) return detail::modulus_of<V>(strength.shear_modulus);
+  template <class V, class Columns>
+  BOLIDE_INLINE detail::modulus<V> modulus_before(const Columns& p, std::size_t at, const detail::update_constants<scalar_t<V>>& fixed) const {
+    if constexpr (!varies && !softens) return {V(fixed.shear.g), V(fixed.shear.twice), V(fixed.shear.quarter_inverse), V(fixed.shear.third_inverse)};
     else {
       V g(scalar_t<V>(strength.shear_modulus));
       if constexpr (varies) g = load<V>(p.template get<field::shear_modulus>() + at);
@@ -222,8 +270,9 @@ private:
     }
   }
   template <class V, class Columns>
-  BOLIDE_INLINE detail::modulus<V> modulus_now(Columns& p, std::size_t at, int n, V pressure, V rho, const thermal_point<V>& state, V capacity) const {
-    if constexpr (!varies && !softens) return detail::modulus_of<V>(strength.shear_modulus);
+  BOLIDE_INLINE detail::modulus<V> modulus_now(Columns& p, std::size_t at, int n, V pressure, V rho, const thermal_point<V>& state, V capacity,
+                                                 const detail::update_constants<scalar_t<V>>& fixed) const {
+    if constexpr (!varies && !softens) return modulus_before<V>(p, at, fixed);
     else {
       V g(scalar_t<V>(strength.shear_modulus));
       if constexpr (varies) {
@@ -255,8 +304,8 @@ private:
   }
 
   template <class Space, class V, class Columns>
-  void update_lane(Columns& p, std::size_t at, int n, const scalar_t<V> (*gradients)[chunk_size], int k, const step_context<scalar_t<V>>& step,
-                   update_report& report) const {
+  BOLIDE_INLINE void update_lane(Columns& p, std::size_t at, int n, const scalar_t<V> (*gradients)[chunk_size], int k, const step_context<scalar_t<V>>& step,
+                   const detail::update_constants<scalar_t<V>>& fixed, detail::lane_sum<V>& plastic_work, update_report& report) const {
     using T = scalar_t<V>;
     const V zero(T(0)), one(T(1)), dt(step.dt);
     const auto active = first_lanes<V>(n);
@@ -264,19 +313,19 @@ private:
     const V mass = load<V>(p.template get<field::mass>() + at), e = load<V>(p.template get<field::energy>() + at);
     const V p_old = load<V>(p.template get<field::pressure>() + at);
 
-    if (at_rest<Space, V>(p, at, n, l, mass, step, report)) return;
+    if (at_rest<Space, V>(p, at, n, l, mass, step, fixed, report)) return;
 
     // kinematics
     const V divergence = Space::divergence(l);
     const V ratio = step.gradient_at_end ? one / Space::jacobian(l, -dt) : Space::jacobian(l, dt);
     const V volume_before = load<V>(p.template get<field::volume>() + at);
     V volume = volume_before * ratio;
-    const V largest = mass * T(expansion_limit / eos.reference_density());
+    const V largest = mass * fixed.greatest_specific_volume;
     if (const auto over = volume > largest && active; any(over)) {
       report.floors.add(floor_kind::expansion, count(over));
       volume = select(over, largest, volume);
     }
-    const V rho = mass / volume, specific_volume = volume / mass;
+    const V rho = mass / volume, specific_volume = one / rho;
 
     // elastic trial of the deviator
     auto s = load_deviator<Space, V>(p, at);
@@ -284,7 +333,7 @@ private:
     V shear_power = zero, shear_energy = zero;
     [[maybe_unused]] detail::modulus<V> before{};
     if constexpr (Strength::carries_shear) {
-      before = modulus_before<V>(p, at);
+      before = modulus_before<V>(p, at, fixed);
       shear_power = Space::contract(s, rate);
       shear_energy = Space::contract(s, s) * specific_volume * before.quarter_inverse;
       const auto spin = Space::jaumann_rate(s, l);
@@ -311,7 +360,7 @@ private:
       own_volume = select(failed && own_before < volume_before, min(volume, own_now), volume); // without a void it fills all there is
       if (!any(!(state_of_failure > one && volume > own_volume) && active)) { // all settled
         store_first(volume, p.template get<field::volume>() + at, n);
-        limit_step<Space, V>(p, at, n, l, divergence, zero, zero, step, report);
+        limit_step<Space, V>(p, at, n, l, divergence, zero, zero, step, fixed, report);
         return;
       }
     }
@@ -380,7 +429,7 @@ private:
     V wave2 = select(empty, zero, c2); // an open void carries no wave
     if constexpr (Strength::carries_shear) {
       const V capacity = one - lost;
-      const auto g = modulus_now<V>(p, at, n, pressure, own_rho, state, capacity);
+      const auto g = modulus_now<V>(p, at, n, pressure, own_rho, state, capacity, fixed);
       if constexpr (varies || softens) {
         const V change = select(before.g > zero, g.g / max(before.g, V(std::numeric_limits<T>::min())), zero); // the elastic strain is kept
         for (std::size_t c = 0; c < Space::deviator_size; ++c) s[c] = s[c] * change;
@@ -397,9 +446,9 @@ private:
           if constexpr (requires { strength.hardening_modulus; }) {
             const T h = T(strength.hardening_modulus);
             increment = select(yields, (equivalent - yield) / (T(3) * g.g + h * capacity), zero);
-            report.plastic_work += detail::sum(volume * (yield + T(0.5) * h * capacity * increment) * increment, n);
+            plastic_work.add(volume * (yield + T(0.5) * h * capacity * increment) * increment, n);
             yield = yield + h * capacity * increment;
-          } else report.plastic_work += detail::sum(volume * yield * increment, n);
+          } else plastic_work.add(volume * yield * increment, n);
           const V scale = select(yields, yield / equivalent, one);
           for (std::size_t c = 0; c < Space::deviator_size; ++c) s[c] = s[c] * scale;
           store_first(strain + increment, p.template get<field::plastic_strain>() + at, n);
@@ -425,14 +474,14 @@ private:
     if constexpr (particle_fields::template contains<field::peak_pressure>)
       store_first(max(pressure, load<V>(p.template get<field::peak_pressure>() + at)), p.template get<field::peak_pressure>() + at, n);
 
-    limit_step<Space, V>(p, at, n, l, divergence, wave2, sound_speed, step, report);
+    limit_step<Space, V>(p, at, n, l, divergence, wave2, sound_speed, step, fixed, report);
   }
 
   /// A strain increment below the machine epsilon changes no volume and no pressure: sound material that is not being deformed keeps its
   /// state as it is (most of a target is so for most of a run), and only asks for its time step.
   template <class Space, class V, class Columns>
   BOLIDE_INLINE bool at_rest(Columns& p, std::size_t at, int n, const typename Space::template gradient<V>& l, V mass,
-                             const step_context<scalar_t<V>>& step, update_report& report) const {
+                             const step_context<scalar_t<V>>& step, const detail::update_constants<scalar_t<V>>& fixed, update_report& report) const {
     using T = scalar_t<V>;
     if constexpr (!Viscosity::present) return false;
     else {
@@ -444,7 +493,7 @@ private:
       if constexpr (Strength::carries_shear && !varies) wave2 = wave2 + T(4.0 / 3 * strength.shear_modulus) * load<V>(p.template get<field::volume>() + at) / mass;
       if constexpr (varies) wave2 = wave2 + T(4.0 / 3) * load<V>(p.template get<field::shear_modulus>() + at) * load<V>(p.template get<field::volume>() + at) / mass;
       store_first(V(T(0)), p.template get<field::viscous_pressure>() + at, n);
-      limit_step<Space, V>(p, at, n, l, V(T(0)), wave2, c, step, report);
+      limit_step<Space, V>(p, at, n, l, V(T(0)), wave2, c, step, fixed, report);
       return true;
     }
   }
@@ -452,19 +501,21 @@ private:
   /// Finds the particle that asks for the shortest step: courant h / (Q + sqrt(Q^2 + c^2) + |v|), and 0.25 / |L|.
   template <class Space, class V, class Columns>
   BOLIDE_INLINE void limit_step(const Columns& p, std::size_t at, int n, const typename Space::template gradient<V>& l, V divergence, V wave2, V sound_speed,
-                                const step_context<scalar_t<V>>& step, update_report& report) const {
+                                const step_context<scalar_t<V>>& step, const detail::update_constants<scalar_t<V>>& fixed, update_report& report) const {
     using T = scalar_t<V>;
     if (!(report.limit.rate == report.limit.rate)) return; // NaN was found before: its particle is the one to name
     const V q_speed = select(wave2 > V(T(0)), viscosity.signal_speed(sound_speed, divergence, step.cell), V(T(0)));
-    V v2 = V(T(0));
-    for (int d = 0; d < Space::dim; ++d) v2 = v2 + square(load<V>(p.template get<field::velocity>(d) + at));
     const V strain = Space::magnitude(l) * T(4);
-    // (Q + sqrt(Q^2 + c^2) + |v|)^2 <= 2 (2 (4 Q^2 + c^2) + v^2): most particles are ruled out without a square root
-    const T per_speed = 1 / (step.courant * step.cell), least = static_cast<T>(std::max(report.limit.rate, step.ignore_below)) / per_speed;
-    const auto slow = T(2) * (T(2) * (T(4) * q_speed * q_speed + wave2) + v2) <= V(least * least) && strain <= V(least * per_speed);
+    const T asked = static_cast<T>(std::max(report.limit.rate, step.ignore_below));
+    V v2(T(0));
+    for (int d = 0; d < Space::dim; ++d) v2 = v2 + square(load<V>(p.template get<field::velocity>(d) + at));
+    // Without a square root: sqrt(a) + sqrt(b) <= m  <=>  m >= 0, a + b <= m^2 and 4 a b <= (m^2 - a - b)^2; here a = Q^2 + c^2, b = v^2, m = h asked - Q
+    const V m = asked * fixed.reach - q_speed, m2 = m * m * T(1 - 16 * std::numeric_limits<T>::epsilon());
+    const V wave = q_speed * q_speed + wave2, rest = m2 - wave - v2;
+    const auto slow = m >= V(T(0)) && rest >= V(T(0)) && T(4) * wave * v2 <= rest * rest && strain <= V(asked);
     if (!any(!slow && first_lanes<V>(n))) return;
     const V signal = q_speed + sqrt(q_speed * q_speed + wave2), speed = sqrt(v2);
-    const V travel = (signal + speed) * per_speed;
+    const V travel = (signal + speed) * fixed.inverse_reach;
     const V wanted = max(strain, travel); // in this order NaN stays NaN
     const T best = static_cast<T>(report.limit.rate);
     if (!any(!(wanted <= V(best)) && first_lanes<V>(n))) return; // NaN counts as too fast
@@ -483,7 +534,8 @@ private:
   }
 
   template <class Space, class V, class Columns>
-  BOLIDE_INLINE void work_lane(Columns& p, std::size_t at, int n, const scalar_t<V> (*gradients)[chunk_size], int k, scalar_t<V> dt, update_report& report) const {
+  BOLIDE_INLINE void work_lane(Columns& p, std::size_t at, int n, const scalar_t<V> (*gradients)[chunk_size], int k, scalar_t<V> dt,
+                               detail::lane_sum<V>& all, detail::lane_sum<V>& viscous_part) const {
     const auto l = load_gradient<Space, V>(gradients, k);
     const V divergence = Space::divergence(l);
     const V volume = load<V>(p.template get<field::volume>() + at), mass = load<V>(p.template get<field::mass>() + at);
@@ -491,11 +543,11 @@ private:
     if constexpr (Viscosity::present) {
       const V viscous = -load<V>(p.template get<field::viscous_pressure>() + at) * divergence;
       power = power + viscous;
-      report.viscous_heating += detail::sum(volume * viscous * dt, n);
+      viscous_part.add(volume * viscous * dt, n);
     }
     if constexpr (Strength::carries_shear) power = power + Space::contract(load_deviator<Space, V>(p, at), Space::deviatoric_rate(l));
     const V gain = dt * power * volume;
-    report.work_energy += detail::sum(gain, n);
+    all.add(gain, n);
     store_first(load<V>(p.template get<field::energy>() + at) + gain / mass, p.template get<field::energy>() + at, n);
   }
 };

@@ -7,7 +7,9 @@
 
 #include "bolide/core/field.hpp"
 #include "bolide/core/lane.hpp"
+#include "bolide/core/staggered.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -53,13 +55,23 @@ public:
     for (auto& c : data_) {
       for (std::size_t i = 0; i < order.size(); ++i) moved[i] = c[order[i]];
       for (std::size_t i = order.size(); i < moved.size(); ++i) moved[i] = order.empty() ? T(0) : moved[order.size() - 1];
-      c.resize(moved.size());
-      c.swap(moved);
-      moved.resize(order.size() + padding);
+      c.assign(moved.begin(), moved.end());
     }
     std::vector<std::uint32_t> ids(order.size());
     for (std::size_t i = 0; i < order.size(); ++i) ids[i] = id_[order[i]];
     id_.swap(ids);
+  }
+
+  /// The same for the particles from `begin` on alone: new particle begin + i is old particle begin + order[i].
+  void reorder(std::size_t begin, const std::vector<std::uint32_t>& order) {
+    std::vector<T> moved(order.size());
+    for (auto& c : data_) {
+      for (std::size_t i = 0; i < order.size(); ++i) moved[i] = c[begin + order[i]];
+      std::copy(moved.begin(), moved.end(), c.begin() + static_cast<std::ptrdiff_t>(begin));
+    }
+    std::vector<std::uint32_t> ids(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) ids[i] = id_[begin + order[i]];
+    std::copy(ids.begin(), ids.end(), id_.begin() + static_cast<std::ptrdiff_t>(begin));
   }
 
   /// Every column with its padding, and the ids, in their present order (concepts/archive.hpp).
@@ -67,9 +79,11 @@ public:
     a.value("id", id_);
     const auto field_columns = [&]<class Tag>(Tag) {
       for (int c = 0; c < Space::components(Tag::order); ++c) {
-        auto& column = data_[static_cast<std::size_t>(first<Tag>() + c)];
+        auto& stored = data_[static_cast<std::size_t>(first<Tag>() + c)];
+        std::vector<T> column(stored.begin(), stored.end());
         const std::string number = Space::components(Tag::order) > 1 ? "_" + std::to_string(c) : "";
         a.value(Tag::name + number, column);
+        if constexpr (A::reading) stored.assign(column.begin(), column.end());
         a.expect(column.size() == (size() == 0 ? column.size() : size() + padding), "the column " + (Tag::name + number) + " has another length than the ids");
       }
     };
@@ -85,7 +99,7 @@ private:
     ((found = found || std::is_same_v<Tag, F>, at += found ? 0 : Space::components(F::order)), ...);
     return at;
   }
-  std::array<std::vector<T>, static_cast<std::size_t>(column_count)> data_;
+  std::array<staggered_vector<T>, static_cast<std::size_t>(column_count)> data_ = staggered_vectors<T, static_cast<std::size_t>(column_count)>();
   std::vector<std::uint32_t> id_;
 };
 

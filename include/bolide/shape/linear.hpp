@@ -15,6 +15,7 @@ struct linear {
   static constexpr int support = 2;       // nodes per axis
   static constexpr double offset = 0;     // first node = floor(x - offset)
   static constexpr bool smooth = false;   // is the slope continuous?
+  static constexpr bool straight = true;  // no curvature between nodes
   static constexpr const char* name = "linear";
 
   /// f = x - first node, in [0, 1]: 1 is what rounding makes of a coordinate just below a face (x = -1e-18).

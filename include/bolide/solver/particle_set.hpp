@@ -7,6 +7,7 @@
 #include "bolide/material/response.hpp"
 #include "bolide/particles/columns.hpp"
 #include "bolide/solver/ledger.hpp"
+#include "bolide/solver/tiles.hpp"
 
 #include <algorithm>
 #include <string>
@@ -24,6 +25,9 @@ template <int Dim> struct block_range {
   grid::node_range<Dim> touched;                      // nodes that the particles touch, relative to origin
   int quiet = 0;                                      // 0: awake; else asleep, and how many blocks off the next awake one is (3: or more)
   step_limit rest;                                    // while asleep: the shortest step that its particles ask for
+  std::vector<tile> tiles;                            // over its particles, in their order
+  std::size_t tiles_at_best = 0;                      // how many there were when the particles were last put in order
+  std::size_t excess_tiles = 0;                       // how many more there were since, summed over the steps
 
   /// The nodes of neighbour n (of 3^Dim, last axis fastest) that the particles touch, relative to that block.
   grid::node_range<Dim> part_in_neighbour(int n) const {
@@ -73,7 +77,7 @@ template <class T, class Space, class Shape, class Material, class Fields> struc
     }
   }
 
-  /// Counting sort by block, then by first node within the block; equals keep their order.
+  /// Counting sort by block, then by first node within the block, in the order that fills tiles; equals keep their order.
   template <class Map> void sort(const Map& blocks, double h) {
     const std::size_t n = columns.size();
     std::vector<std::uint32_t> key(n), count(blocks.size() * map::nodes_per_block + 1, 0), order(n);
@@ -94,6 +98,7 @@ template <class T, class Space, class Shape, class Material, class Fields> struc
     for (std::size_t c = 1; c < count.size(); ++c) count[c] += count[c - 1];
     std::vector<std::uint32_t> next(count.begin(), count.end() - 1);
     for (std::size_t i = 0; i < n; ++i) order[next[key[i]]++] = static_cast<std::uint32_t>(i);
+    interleave(count, std::min<std::size_t>(lanes, map::side), order);
     columns.reorder(order);
 
     ranges.clear();
@@ -101,12 +106,50 @@ template <class T, class Space, class Shape, class Material, class Fields> struc
     for (std::size_t b = 0; b < blocks.size(); ++b) {
       const std::size_t begin = count[b * map::nodes_per_block], end = count[(b + 1) * map::nodes_per_block];
       if (begin == end) continue;
-      block_range<dim> r{{}, begin, end, blocks.neighbourhood(blocks.coordinate(b)), {}, 0, {}};
+      block_range<dim> r{{}, begin, end, blocks.neighbourhood(blocks.coordinate(b)), {}, 0, {}, {}, 0, 0};
       for (std::size_t d = 0; d < dim; ++d) r.origin[d] = blocks.coordinate(b)[d] * map::side;
       by_colour[static_cast<std::size_t>(map::colour_of(blocks.coordinate(b)))].push_back(static_cast<std::int32_t>(ranges.size()));
       ranges.push_back(r);
       measure(ranges.back(), h);
+      lay_tiles(ranges.back(), h);
+      ranges.back().tiles_at_best = ranges.back().tiles.size();
     }
+  }
+
+  /// Puts tiles over the particles of a range, after measure().
+  void lay_tiles(block_range<dim>& r, double h) const {
+    tile_layer<lanes, grid::window<dim, T>::stride> layer(r.tiles);
+    std::array<std::int32_t, chunk_size> first;
+    for (std::size_t begin = r.begin; begin < r.end; begin += chunk_size) {
+      const std::size_t n = std::min<std::size_t>(chunk_size, r.end - begin);
+      first_nodes(r, begin, n, h, first.data());
+      layer.add(static_cast<std::uint32_t>(begin), static_cast<int>(n), first.data());
+    }
+    layer.close();
+  }
+  /// After a motion: new tiles, and a new order where what the decayed one has cost would have paid for it.
+  void renew_tiles(block_range<dim>& r, double h) {
+    lay_tiles(r, h);
+    r.excess_tiles += r.tiles.size() - std::min(r.tiles.size(), r.tiles_at_best);
+    if (arranging_costs * r.excess_tiles > r.end - r.begin + 16) arrange(r, h);
+  }
+  /// Brings the particles of a range into the order that fills tiles.
+  void arrange(block_range<dim>& r, double h) {
+    const std::size_t n = r.end - r.begin;
+    std::vector<std::int32_t> first(n + chunk_size);
+    for (std::size_t k = 0; k < n; k += chunk_size) first_nodes(r, r.begin + k, std::min<std::size_t>(chunk_size, n - k), h, first.data() + k);
+    using win = grid::window<dim, T>;
+    const std::int32_t lowest = win::offset(r.touched.low) / win::stride * win::stride; // the row of the first touched node
+    std::vector<std::uint32_t> start(static_cast<std::size_t>(win::offset(r.touched.high) + 1 - lowest) + 1, 0), order(n);
+    for (std::size_t k = 0; k < n; ++k) ++start[static_cast<std::size_t>(first[k] - lowest) + 1];
+    for (std::size_t c = 1; c < start.size(); ++c) start[c] += start[c - 1];
+    std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
+    for (std::size_t k = 0; k < n; ++k) order[next[static_cast<std::size_t>(first[k] - lowest)]++] = static_cast<std::uint32_t>(k);
+    interleave(start, lanes, order);
+    columns.reorder(r.begin, order);
+    lay_tiles(r, h);
+    r.tiles_at_best = r.tiles.size();
+    r.excess_tiles = 0;
   }
 
   /// Are all particles of a range without velocity, stress and void? Then nothing of them changes until their nodes move.
@@ -201,15 +244,39 @@ template <class T, class Space, class Shape, class Material, class Fields> struc
     column("rest_rate", [](auto& r) -> auto& { return r.rest.rate; });
     column("rest_particle", [](auto& r) -> auto& { return r.rest.particle; });
     column("rest_cause", [](auto& r) -> auto& { return r.rest.cause; });
+    column("tiles_at_best", [](auto& r) -> auto& { return r.tiles_at_best; });
+    column("excess_tiles", [](auto& r) -> auto& { return r.excess_tiles; });
     for (const auto& r : ranges) a.expect(r.begin < r.end && r.end <= columns.size(), "a range of particles is none");
   }
-  /// Finds neighbours and colours of the ranges in the blocks.
-  template <class Map> void connect(const Map& blocks) {
+  /// Finds neighbours, colours and tiles of the ranges in the blocks.
+  template <class Map> void connect(const Map& blocks, double h) {
     for (auto& c : by_colour) c.clear();
     for (std::size_t k = 0; k < ranges.size(); ++k) {
       const auto block = map::block_of(ranges[k].origin);
       ranges[k].near = blocks.neighbourhood(block);
       by_colour[static_cast<std::size_t>(map::colour_of(block))].push_back(static_cast<std::int32_t>(k));
+      lay_tiles(ranges[k], h);
+    }
+  }
+
+private:
+  static constexpr int lanes = native_width<T>;
+  static constexpr std::size_t arranging_costs = 2; // a tile in a step costs about as much as arranging so many particles
+
+  /// Window offsets of the first nodes of n <= chunk_size particles (whole registers are written). They are held among the touched nodes, so that a
+  /// rounding of x / h on a cell face names no foreign node.
+  BOLIDE_INLINE void first_nodes(const block_range<dim>& r, std::size_t begin, std::size_t n, double h, std::int32_t* first) const {
+    using V = native_pack<T>;
+    using win = grid::window<dim, T>;
+    const T inverse_h = static_cast<T>(1 / h);
+    for (std::size_t k = 0; k < n; k += static_cast<std::size_t>(lane_width<V>)) {
+      V sum(T(0));
+      for (std::size_t d = 0; d < dim; ++d) {
+        const V x = load<V>(columns.template get<field::position>(static_cast<int>(d)) + begin + k);
+        const V node = clip(floor(x * inverse_h - T(Shape::offset)), V(T(r.origin[d] + r.touched.low[d])), V(T(r.origin[d] + r.touched.high[d] - Shape::support + 1)));
+        sum = sum * T(win::stride) + (node - T(r.origin[d] - win::reach));
+      }
+      store_whole(sum, first + k);
     }
   }
 };

@@ -17,9 +17,9 @@
 #include "bolide/grid/periodic.hpp"
 #include "bolide/grid/sparse.hpp"
 #include "bolide/solver/body_force.hpp"
+#include "bolide/solver/kernels.hpp"
 #include "bolide/solver/ledger.hpp"
 #include "bolide/solver/particle_set.hpp"
-#include "bolide/solver/stencil.hpp"
 
 #include <tuple>
 #include <vector>
@@ -31,10 +31,11 @@ public:
   static constexpr int dim = Space::dim;
   static constexpr int velocity_fields = Contact::multi_field ? static_cast<int>(sizeof...(Sets)) : 1; // per node; that of a body begins at field_of(set)
   using map = typename Grid::template map<dim>;
-  using sums = grid::node_values<T, dim + 1>;     // m, P
-  using forces = grid::node_values<T, dim>;       // f, or the momentum change mapped back
-  using motion = grid::node_values<T, 2 * dim>;   // v at the beginning, and its change (FLIP) or v at the end (APIC)
-  using stencil_type = stencil<T, Space, Shape>;
+  using sums = grid::node_column<T, dim + 1>;     // m, P
+  using forces = grid::node_column<T, dim>;       // f, or the momentum change mapped back
+  using motion = grid::node_column<T, 2 * dim>;   // v at the beginning, and its change (FLIP) or v at the end (APIC)
+  using kernel = kernels<T, Space, Shape, Transfer>;
+  using V = native_pack<T>;
 
   std::tuple<Sets...> sets;
   map blocks;
@@ -66,15 +67,16 @@ public:
     if constexpr (!Scheme::stress_first) clear(forces_);
     sweep([this](auto& set, auto& range, update_report&) {
       if (range.quiet == asleep) return;
-      scatter(sums_, field_of(set), range, [&](auto& win) {
-        chunks<wants::values>(set, range, [&](std::size_t begin, int n, const stencil_type& st) {
-          scatter_momentum(set.columns, begin, n, st, win);
-        });
+      kernel::scatter(sums_, field_of(set), range, [&](auto& win) {
+        chunks(set, range, [&](const auto& c) { kernel::template scatter_momentum<dim + 1>(set.columns, c, win); });
       });
       if constexpr (!Scheme::stress_first)
-        if (range.quiet == 0) scatter(forces_, field_of(set), range, [&](auto& win) {
-          chunks<wants::gradients>(set, range, [&](std::size_t begin, int n, const stencil_type& st) {
-            if (carries_stress(set.columns, begin, static_cast<std::size_t>(n))) scatter_force(set, begin, n, st, win);
+        if (range.quiet == 0) kernel::scatter(forces_, field_of(set), range, [&](auto& win) {
+          chunks(set, range, [&](const auto& c) {
+            if (!carries_stress(set.columns, c.begin, static_cast<std::size_t>(c.n))) return;
+            typename kernel::template scratch<1> inverse_r;
+            kernel::inverse_radius(set.columns, c, inverse_r[0]);
+            kernel::scatter_force(set, c, inverse_r[0], win);
           });
         });
     });
@@ -83,16 +85,19 @@ public:
     if constexpr (Scheme::stress_first) forces_.resize(column_size());
     if constexpr (maps_back) back_.resize(column_size());
     if constexpr (keeps_raw) raw_.resize(column_size());
-    each_node([this](std::size_t i) {
-      const sums s = sums_[i];
-      motion v(T(0));
-      if (s[0] > T(0)) {
-        const T inverse_mass = T(1) / s[0];
-        v = motion::make([&](int c) { return c < dim ? s[c < dim ? 1 + c : 0] * inverse_mass : T(0); });
+    each_row([this](std::size_t first, std::size_t last) {
+      const T* const mass = sums_[0];
+      for (int d = 0; d < dim; ++d) {
+        const T* const momentum = sums_[1 + d];
+        T *const v = motion_[d], *const change = motion_[dim + d];
+        for (std::size_t i = first; i < last; ++i) {
+          const T inverse_mass = T(1) / mass[i];
+          v[i] = mass[i] > T(0) ? momentum[i] * inverse_mass : T(0);
+          change[i] = T(0);
+        }
+        if constexpr (Scheme::stress_first) std::fill(forces_[d] + first, forces_[d] + last, T(0));
+        if constexpr (maps_back) std::fill(back_[d] + first, back_[d] + last, T(0));
       }
-      motion_[i] = v;
-      if constexpr (Scheme::stress_first) forces_[i] = forces(T(0));
-      if constexpr (maps_back) back_[i] = forces(T(0));
     });
     if (constrained()) {
       clear(wall_forces_);
@@ -106,13 +111,16 @@ public:
     start_report();
     sweep([this](auto& set, auto& range, update_report& report) {
       if (sleeps_on(set, range, report)) return;
-      gather(motion_, field_of(set), range, [&](auto& nodes) {
-        scatter(forces_, field_of(set), range, [&](auto& win) {
-          chunks<wants::gradients>(set, range, [&](std::size_t begin, int n, const stencil_type& st) {
-            T l[Space::gradient_size][chunk_size];
-            velocity_gradient(n, st, nodes, T(1), constrained() ? T(1) : T(0), l);
-            set.material.template update<Space>(set.columns, begin, n, l, context(true), report);
-            if (carries_stress(set.columns, begin, static_cast<std::size_t>(n))) scatter_force(set, begin, n, st, win);
+      kernel::gather(motion_, field_of(set), range, [&](auto& nodes) {
+        kernel::scatter(forces_, field_of(set), range, [&](auto& win) {
+          chunks(set, range, [&](const auto& c) {
+            typename kernel::template scratch<Space::gradient_size> l;
+            typename kernel::template scratch<1> inverse_r;
+            kernel::inverse_radius(set.columns, c, inverse_r[0]);
+            if (constrained()) velocity_gradient(set.columns, c, inverse_r[0], nodes, T(1), T(1), l);
+            else initial_gradient(set.columns, c, inverse_r[0], nodes, l);
+            set.material.template update<Space>(set.columns, c.begin, c.n, l.value, context(true), report);
+            if (carries_stress(set.columns, c.begin, static_cast<std::size_t>(c.n))) kernel::scatter_force(set, c, inverse_r[0], win);
           });
         });
       });
@@ -125,20 +133,24 @@ public:
     if (!body_forces.empty()) scatter_body_forces();
     complete(forces_, 0);
     const bool with_constraints = constrained();
-    each_node([this, with_constraints](std::size_t i) {
-      if (!(sums_[i][0] > T(0))) return;
-      const T factor = dt / sums_[i][0];
+    each_row([this, with_constraints](std::size_t first, std::size_t last) {
+      const T* const mass = sums_[0];
       for (int d = 0; d < dim; ++d) {
-        const T f = body_forces.empty() ? forces_[i][d] : forces_[i][d] + external_[i][d];
-        const T before = with_constraints ? motion_[i][dim + d] : T(0); // what constrain() did before the stress
-        motion_[i].set(dim + d, f * factor + (before + (Transfer::affine ? motion_[i][d] : T(0))));
+        const T *const force = forces_[d], *const external = body_forces.empty() ? nullptr : external_[d], *const v = motion_[d];
+        T* const change = motion_[dim + d]; // holds what constrain() did before the stress
+        for (std::size_t i = first; i < last; ++i) {
+          const T factor = dt / mass[i], f = external ? force[i] + external[i] : force[i];
+          const T next = f * factor + ((with_constraints ? change[i] : T(0)) + (Transfer::affine ? v[i] : T(0)));
+          change[i] = mass[i] > T(0) ? next : change[i];
+        }
       }
     });
     if (with_constraints) constrain<false>();
-    if constexpr (keeps_raw) each_node([this](std::size_t i) {
-      for (int d = 0; d < dim; ++d) raw_[i].set(d, motion_[i][d] + motion_[i][dim + d]);
+    if constexpr (keeps_raw) each_row([this](std::size_t first, std::size_t last) {
+      for (int d = 0; d < dim; ++d)
+        for (std::size_t i = first; i < last; ++i) raw_[d][i] = motion_[d][i] + motion_[dim + d][i];
     });
-    if constexpr (Transfer::affine) nodal_work(sum_over_nodes([this](std::size_t i) { return power_of(forces_, i); }));
+    if constexpr (Transfer::affine) nodal_work(power_of(forces_));
   }
 
   /// New particle velocities; what the scheme or the transfer needs back on the nodes.
@@ -146,34 +158,38 @@ public:
     if constexpr (Transfer::filter_order > 1) filter_velocities();
     sweep([this](auto& set, auto& range, update_report& report) {
       if (sleeps_on(set, range)) return;
-      gather(motion_, field_of(set), range, [&](auto& nodes) {
+      kernel::gather(motion_, field_of(set), range, [&](auto& nodes) {
         const auto run = [&](auto& win) {
-          chunks<Transfer::affine ? wants::both : wants::values>(set, range, [&](std::size_t begin, int n, const stencil_type& st) {
+          chunks(set, range, [&](const auto& c) {
             if constexpr (Transfer::affine) {
-              T l[Space::gradient_size][chunk_size];
-              velocity_gradient(n, st, nodes, T(0.5), T(0.5), l);
-              set.material.template work<Space>(set.columns, begin, n, l, dt, report);
-              take_affine(set.columns, begin, n, st, nodes, report);
-              if constexpr (maps_back)
-                scatter_velocity_back(set.columns, begin, n, st, win);
-            } else {
-              add_change(set.columns, begin, n, st, nodes, win, report);
-            }
+              typename kernel::template scratch<Space::gradient_size> l;
+              typename kernel::template scratch<1> inverse_r;
+              kernel::inverse_radius(set.columns, c, inverse_r[0]);
+              velocity_gradient(set.columns, c, inverse_r[0], nodes, T(0.5), T(0.5), l);
+              set.material.template work<Space>(set.columns, c.begin, c.n, l.value, dt, report);
+              take_affine(set.columns, c, nodes, report);
+              if constexpr (maps_back) kernel::template scatter_momentum<dim>(set.columns, c, win);
+            } else add_change(set.columns, c, nodes, win, report);
           });
         };
-        if constexpr (maps_back) scatter(back_, field_of(set), range, run);
+        if constexpr (maps_back) kernel::scatter(back_, field_of(set), range, run);
         else run(nodes);
       });
     });
     finish_kinetic();
     if constexpr (maps_back) {
       complete(back_, 0);
-      const double power = sum_over_nodes([this](std::size_t i) {
-        if (!(sums_[i][0] > T(0))) return 0.0;
-        for (int d = 0; d < dim; ++d) motion_[i].set(dim + d, back_[i][d] / sums_[i][0]); // FLIP: dv~ = sum N m dv_p / m_I; APIC: v'_I
-        return Transfer::affine ? 0.0 : power_of(forces_, i);
+      each_row([this](std::size_t first, std::size_t last) { // FLIP: dv~ = sum N m dv_p / m_I; APIC: v'_I
+        for (int d = 0; d < dim; ++d) {
+          const T *const mass = sums_[0], *const momentum = back_[d];
+          T* const change = motion_[dim + d];
+          for (std::size_t i = first; i < last; ++i) {
+            const T next = momentum[i] / mass[i];
+            change[i] = mass[i] > T(0) ? next : change[i];
+          }
+        }
       });
-      if constexpr (!Transfer::affine) nodal_work(power);
+      if constexpr (!Transfer::affine) nodal_work(power_of(forces_));
     }
   }
 
@@ -184,24 +200,29 @@ public:
       constexpr bool only_work = Scheme::stress_first;
       if (only_work ? range.quiet > 0 : sleeps_on(set, range, report)) return;
       if constexpr (!Transfer::affine || !Scheme::stress_first)
-        if (!only_work || carries_stress(set.columns, range.begin, range.end - range.begin)) gather(motion_, field_of(set), range, [&](auto& nodes) {
-          chunks<wants::gradients>(set, range, [&](std::size_t begin, int n, const stencil_type& st) {
-            T l[Space::gradient_size][chunk_size];
+        if (!only_work || carries_stress(set.columns, range.begin, range.end - range.begin)) kernel::gather(motion_, field_of(set), range, [&](auto& nodes) {
+          chunks(set, range, [&](const auto& c) {
+            if (only_work && !carries_stress(set.columns, c.begin, static_cast<std::size_t>(c.n))) return;
+            typename kernel::template scratch<Space::gradient_size> l;
+            typename kernel::template scratch<1> inverse_r;
+            kernel::inverse_radius(set.columns, c, inverse_r[0]);
             if constexpr (!Transfer::affine) {
-              velocity_gradient(n, st, nodes, T(1), T(0.5), l);
-              set.material.template work<Space>(set.columns, begin, n, l, dt, report);
+              velocity_gradient(set.columns, c, inverse_r[0], nodes, T(1), T(0.5), l);
+              set.material.template work<Space>(set.columns, c.begin, c.n, l.value, dt, report);
             }
             if constexpr (!Scheme::stress_first && !keeps_raw) {
-              velocity_gradient(n, st, nodes, Transfer::affine ? T(0) : T(1), T(1), l);
-              set.material.template update<Space>(set.columns, begin, n, l, context(false), report);
+              velocity_gradient(set.columns, c, inverse_r[0], nodes, Transfer::affine ? T(0) : T(1), T(1), l);
+              set.material.template update<Space>(set.columns, c.begin, c.n, l.value, context(false), report);
             }
           });
         });
-      if constexpr (keeps_raw) gather(raw_, field_of(set), range, [&](auto& nodes) {
-        chunks<wants::gradients>(set, range, [&](std::size_t begin, int n, const stencil_type& st) {
-          T l[Space::gradient_size][chunk_size];
-          gradient_of(n, st, nodes, l);
-          set.material.template update<Space>(set.columns, begin, n, l, context(false), report);
+      if constexpr (keeps_raw) kernel::gather(raw_, field_of(set), range, [&](auto& nodes) {
+        chunks(set, range, [&](const auto& c) {
+          typename kernel::template scratch<Space::gradient_size> l;
+          typename kernel::template scratch<1> inverse_r;
+          kernel::inverse_radius(set.columns, c, inverse_r[0]);
+          initial_gradient(set.columns, c, inverse_r[0], nodes, l);
+          set.material.template update<Space>(set.columns, c.begin, c.n, l.value, context(false), report);
         });
       });
       move(set, range, report);
@@ -278,7 +299,7 @@ public:
     });
     if constexpr (A::reading) {
       rebuild(std::move(occupied));
-      for_each_set([&](auto& s) { s.connect(blocks); });
+      for_each_set([&](auto& s) { s.connect(blocks, h); });
     }
   }
 
@@ -289,12 +310,13 @@ private:
   static constexpr bool keeps_raw = !Transfer::affine && !Scheme::stress_first && !Scheme::maps_velocity_back;
   static constexpr bool filters = Transfer::filter_order > 0;
   static constexpr std::int64_t worth_threads = 16384; // particles (or half as many nodes) below which threads cost more than they give
-  std::vector<sums> sums_;
-  std::vector<forces> forces_, back_, external_, raw_, residual_, next_residual_, normals_, wall_forces_, contact_forces_;
-  std::vector<motion> motion_;
+  sums sums_;
+  forces forces_, back_, external_, raw_, residual_, next_residual_, normals_, wall_forces_, contact_forces_;
+  motion motion_;
   struct touched_part {
     std::int32_t block;
     grid::node_range<dim> nodes; // relative to the block
+    bool images;                 // may some of them be images?
   };
   std::vector<touched_part> touched_;  // nodes that particles touch in this step
   std::vector<double> node_sums_;      // of a loop over nodes, one per touched block
@@ -308,7 +330,7 @@ private:
     for (auto& p : periods) p.rebuild(blocks);
   }
   /// The boundary conditions on a sum over particles, in every velocity field; components first .. first + dim - 1 are a vector.
-  template <class Values> void complete(std::vector<Values>& column, int first) const {
+  template <class Column> void complete(Column& column, int first) const {
     for (std::size_t f = 0; f < velocity_fields; ++f) {
       for (const auto& m : mirrors) m.complete(column, first, f * node_count());
       for (const auto& p : periods) p.complete(column, first, f * node_count());
@@ -401,14 +423,16 @@ private:
     if (range.quiet > 1) return true;
     bool moves = false;
     grid::for_each_run<dim>(range.near, range.touched, [&](std::int32_t node, int, int count) {
-      for (int i = 0; i < count; ++i) moves = moves || any(motion_[field_of(set) + static_cast<std::size_t>(node + i)] != motion(T(0)));
+      for (int c = 0; c < 2 * dim; ++c) {
+        const T* const v = motion_[c] + field_of(set) + node;
+        for (int i = 0; i < count; ++i) moves = moves || v[i] != T(0);
+      }
     });
     if (moves) range.quiet = 0;
     return !moves;
   }
   /// Has any of n particles from `begin` a stress? Without one there is no force and no work.
   template <class Columns> static BOLIDE_INLINE bool carries_stress(const Columns& p, std::size_t begin, std::size_t n) {
-    using V = native_pack<T>;
     const V zero(T(0));
     for (std::size_t k = 0; k < n; k += static_cast<std::size_t>(lane_width<V>)) {
       auto some = load<V>(p.template get<field::pressure>() + begin + k) != zero;
@@ -443,29 +467,25 @@ private:
     for (auto& p : periods) p.spread(mirrored);
     touched_.clear();
     for (std::size_t b = 0; b < blocks.size(); ++b)
-      if (mirrored[b]) touched_.push_back({static_cast<std::int32_t>(b), mirrored[b] == map::holds_images ? whole : nodes[b]});
+      if (mirrored[b]) touched_.push_back({static_cast<std::int32_t>(b), mirrored[b] == map::holds_images ? whole : nodes[b], mirrored[b] == map::holds_images});
   }
-  template <class Values> void clear(std::vector<Values>& column) {
+  template <class Column> void clear(Column& column) {
     column.resize(column_size());
-    each_node([&](std::size_t i) { column[i] = Values(T(0)); });
-  }
-  /// f(index into the node columns) for every touched node of every velocity field.
-  template <class F> void each_node(F&& f) {
-    each_place([&](std::size_t place) {
-      if constexpr (velocity_fields == 1) return f(place);
-      else if constexpr (std::is_same_v<std::invoke_result_t<F, std::size_t>, double>) {
-        double sum = 0;
-        for (std::size_t at = place; at < column_size(); at += node_count()) sum += f(at);
-        return sum;
-      } else
-        for (std::size_t at = place; at < column_size(); at += node_count()) f(at);
+    each_row([&](std::size_t first, std::size_t last) {
+      for (int c = 0; c < Column::components; ++c) std::fill(column[c] + first, column[c] + last, T(0));
     });
   }
-  /// f(node) for every touched node; what it returns is summed block by block.
-  template <class F> void each_place(F&& f) {
-    constexpr bool sums_up = std::is_same_v<std::invoke_result_t<F, std::size_t>, double>;
+  /// f(first, last) for every run of touched nodes in the columns, of every velocity field.
+  template <class F> void each_row(F&& f) {
+    sum_over_rows([&](const touched_part&, std::size_t first, std::size_t last) {
+      f(first, last);
+      return 0.0;
+    });
+  }
+  /// Sum of f(part, first, last) over the runs of touched nodes in the columns, in the order of the blocks.
+  template <class F> double sum_over_rows(F&& f) {
     const auto n = static_cast<std::int64_t>(touched_.size());
-    if constexpr (sums_up) node_sums_.assign(touched_.size(), 0);
+    node_sums_.assign(touched_.size(), 0);
 #if defined(_OPENMP)
 #pragma omp parallel for schedule(static) if (n * map::nodes_per_block > 2 * worth_threads)
 #endif
@@ -474,29 +494,43 @@ private:
       double sum = 0;
       map::for_each_row(part.nodes, [&](int local, int count) {
         const std::size_t first = static_cast<std::size_t>(part.block) * map::nodes_per_block + static_cast<std::size_t>(local);
-        for (std::size_t i = first; i < first + static_cast<std::size_t>(count); ++i) {
-          if constexpr (sums_up) sum += f(i);
-          else f(i);
-        }
+        for (std::size_t at = first; at < column_size(); at += node_count()) sum += f(part, at, at + static_cast<std::size_t>(count));
       });
-      if constexpr (sums_up) node_sums_[static_cast<std::size_t>(b)] = sum;
+      node_sums_[static_cast<std::size_t>(b)] = sum;
     }
+    double total = 0;
+    for (const double part : node_sums_) total += part;
+    return total;
+  }
+  /// f(node) for every touched node.
+  template <class F> void each_place(F&& f) {
+    for (const auto& part : touched_)
+      map::for_each_row(part.nodes, [&](int local, int count) {
+        for (int i = local; i < local + count; ++i) f(static_cast<std::size_t>(part.block) * map::nodes_per_block + static_cast<std::size_t>(i));
+      });
   }
 
-  /// f.(v + dv/2) of a real node, f a column of nodal forces.
-  double power_of(const std::vector<forces>& f, std::size_t i) const {
-    if (!(sums_[i][0] > T(0)) || is_image(i)) return 0;
-    double power = 0;
-    for (int d = 0; d < dim; ++d)
-      power += static_cast<double>(f[i][d]) * ((Transfer::affine ? 0.5 : 1) * static_cast<double>(motion_[i][d]) + 0.5 * static_cast<double>(motion_[i][dim + d]));
-    return power;
-  }
-  /// Sum of f(index) over the touched nodes, in the order of the blocks.
-  template <class F> double sum_over_nodes(F&& f) {
-    each_node(f);
-    double sum = 0;
-    for (const double part : node_sums_) sum += part;
-    return sum;
+  /// Sum of f.(v + dv/2) over the real nodes, f a column of nodal forces; for affine transfers f.(v + v')/2.
+  double power_of(const forces& f) {
+    constexpr T half = T(0.5), first = Transfer::affine ? half : T(1);
+    const auto at = [&](auto lane, std::size_t i) { // of one node, or of as many as fill a register
+      using L = decltype(lane);
+      L power(T(0));
+      for (int d = 0; d < dim; ++d) power += load<L>(f[d] + i) * (first * load<L>(motion_[d] + i) + half * load<L>(motion_[dim + d] + i));
+      return select(load<L>(sums_[0] + i) > L(T(0)), power, L(T(0)));
+    };
+    return sum_over_rows([&](const touched_part& part, std::size_t begin, std::size_t end) {
+      if (part.images) {
+        double sum = 0;
+        for (std::size_t i = begin; i < end; ++i)
+          if (!is_image(i)) sum += static_cast<double>(at(T(0), i));
+        return sum;
+      }
+      detail::lane_sum<V> sum;
+      for (std::size_t i = begin; i < end; i += static_cast<std::size_t>(lane_width<V>))
+        sum.add(at(V(T(0)), i), static_cast<int>(std::min<std::size_t>(end - i, static_cast<std::size_t>(lane_width<V>))));
+      return sum.total();
+    });
   }
   /// The work of the stress leaves the nodes for the particles' energy: transfer loses and mismatch gains it. That of other forces has channels of
   /// its own.
@@ -507,13 +541,13 @@ private:
     if (!body_forces.empty()) book(external_, energy.body_work);
     if (!walls.empty()) {
       book(wall_forces_, energy.boundary_work);
-      give_momentum([this](std::size_t i, int d) { return sums_[i][0] > T(0) && !is_image(i) ? static_cast<double>(wall_forces_[i][d]) : 0.0; });
+      give_momentum([this](std::size_t i, int d) { return sums_[0][i] > T(0) && !is_image(i) ? static_cast<double>(wall_forces_[d][i]) : 0.0; });
     }
     if constexpr (Contact::multi_field) book(contact_forces_, energy.contact);
   }
   /// Books the work of a column of forces in a channel of its own instead of in `transfer`.
-  void book(const std::vector<forces>& f, double& channel) {
-    const double work = sum_over_nodes([this, &f](std::size_t i) { return power_of(f, i); }) * static_cast<double>(dt);
+  void book(const forces& f, double& channel) {
+    const double work = power_of(f) * static_cast<double>(dt);
     energy.transfer -= work;
     channel += work;
   }
@@ -527,14 +561,8 @@ private:
     clear(contact_forces_);
     sweep([this](auto& set, auto& range, update_report&) {
       if (range.quiet == asleep) return;
-      scatter(normals_, field_of(set), range, [&](auto& win) {
-        chunks<wants::gradients>(set, range, [&](std::size_t begin, int n, const stencil_type& st) {
-          const T* const volume = set.columns.template get<field::volume>() + begin;
-          accumulate(win.node.data(), st, n, [&](int k, auto& sum) {
-            for (int a = 0; a < stencil_type::nodes; ++a)
-              sum[static_cast<std::size_t>(a)] += forces::make([&](int c) { return c < dim ? volume[k] * st.gradient[c < dim ? c : 0][a][k] : T(0); });
-          });
-        });
+      kernel::scatter(normals_, field_of(set), range, [&](auto& win) {
+        chunks(set, range, [&](const auto& c) { kernel::scatter_normal(set.columns, c, win); });
       });
     });
     complete(normals_, 0);
@@ -557,14 +585,14 @@ private:
   }
   /// The velocity that constrain() looks at, component d of node value i.
   template <bool Before> T free_velocity(std::size_t i, int d) const {
-    return motion_[i][dim + d] + (Before || !Transfer::affine ? motion_[i][d] : T(0));
+    return motion_[dim + d][i] + (Before || !Transfer::affine ? motion_[d][i] : T(0));
   }
-  void change_velocity(std::vector<forces>& by, std::size_t i, int d, T change) {
-    motion_[i].set(dim + d, motion_[i][dim + d] + change);
-    by[i].set(d, by[i][d] + sums_[i][0] * change / dt);
+  void change_velocity(forces& by, std::size_t i, int d, T change) {
+    motion_[dim + d][i] += change;
+    by[d][i] += sums_[0][i] * change / dt;
   }
   template <bool Before> void push(const grid::moving_wall& w, std::size_t i) {
-    if (!(sums_[i][0] > T(0)) || !w.approaches(this->template free_velocity<Before>(i, w.axis))) return;
+    if (!(sums_[0][i] > T(0)) || !w.approaches(this->template free_velocity<Before>(i, w.axis))) return;
     for (int d = 0; d < dim; ++d)
       if (d == w.axis || w.stick) change_velocity(wall_forces_, i, d, (d == w.axis ? static_cast<T>(w.velocity) : T(0)) - this->template free_velocity<Before>(i, d));
   }
@@ -574,10 +602,10 @@ private:
     T mass = 0;
     std::array<T, dim> mean{}; // velocity of the centre of mass
     for (std::size_t at = place; at < column_size(); at += node_count())
-      if (sums_[at][0] > T(0)) {
+      if (sums_[0][at] > T(0)) {
         bodies[count++] = at;
-        mass += sums_[at][0];
-        for (std::size_t d = 0; d < dim; ++d) mean[d] += sums_[at][0] * this->template free_velocity<Before>(at, static_cast<int>(d));
+        mass += sums_[0][at];
+        for (std::size_t d = 0; d < dim; ++d) mean[d] += sums_[0][at] * this->template free_velocity<Before>(at, static_cast<int>(d));
       }
     if (count < 2) return;
     for (auto& v : mean) v /= mass;
@@ -586,10 +614,10 @@ private:
     T length = 0;
     for (std::size_t b = 0; b < 2 && count == 2; ++b) {
       T squares = 0;
-      for (int d = 0; d < dim; ++d) squares += square(normals_[bodies[b]][d]);
+      for (int d = 0; d < dim; ++d) squares += square(normals_[d][bodies[b]]);
       if (!(squares > length)) continue;
       length = squares;
-      for (int d = 0; d < dim; ++d) n[static_cast<std::size_t>(d)] = (b == 0 ? T(1) : T(-1)) * normals_[bodies[b]][d];
+      for (int d = 0; d < dim; ++d) n[static_cast<std::size_t>(d)] = (b == 0 ? T(1) : T(-1)) * normals_[d][bodies[b]];
     }
     const T inverse = length > T(0) ? T(1) / std::sqrt(length) : T(0);
     for (std::size_t b = 0; b < count; ++b) {
@@ -607,18 +635,29 @@ private:
   /// Counts the momentum that forces on the nodes give in this step; force(node value, axis).
   template <class F> void give_momentum(F&& force) {
     for (int d = 0; d < dim; ++d)
-      energy.momentum_given[static_cast<std::size_t>(d)] += static_cast<double>(dt) * sum_over_nodes([&](std::size_t i) { return force(i, d); });
+energy.momentum_given[static_cast<std::size_t>(d)] += static_cast<double>(dt) * sum_over_rows([&](const touched_part&, std::size_t begin, std::size_t end) {
+        double sum = 0;
+        for (std::size_t i = begin; i < end; ++i) sum += force(i, d);
+        return sum;
+      });
   }
 
   /// sum N m b(x_p, t), and the momentum that it gives.
   void scatter_body_forces() {
     clear(external_);
     sweep([this](auto& set, auto& range, update_report&) {
-      scatter(external_, field_of(set), range, [&](auto& win) {
-        chunks<wants::values>(set, range, [&](std::size_t begin, int n, const stencil_type& st) { scatter_body_force(set.columns, begin, n, st, win); });
+      kernel::scatter(external_, field_of(set), range, [&](auto& win) {
+        chunks(set, range, [&](const auto& c) {
+          typename kernel::template scratch<dim> force;
+          for (int k = 0; k < c.n; ++k) {
+            const auto b = body_force_on(set.columns, c.begin + static_cast<std::size_t>(k));
+            for (int d = 0; d < dim; ++d) force[d][k] = static_cast<T>(b[d]);
+          }
+          kernel::template scatter_values<dim>(set.columns, c, win, [&](int d) { return force[d]; });
+        });
       });
     });
-    give_momentum([this](std::size_t i, int d) { return static_cast<double>(external_[i][d]); }); // of the real particles: before the boundaries
+    give_momentum([this](std::size_t i, int d) { return static_cast<double>(external_[d][i]); }); // of the real particles: before the boundaries
     complete(external_, 0);
   }
   bool is_image(std::size_t at) const {
@@ -630,147 +669,20 @@ private:
     return false;
   }
 
-  /// Runs f on a window that holds a copy of the touched nodes.
-  template <class Values, class F> static BOLIDE_INLINE void gather(const std::vector<Values>& column, std::size_t field, const block_range<dim>& range, F&& f) {
-    grid::window<dim, Values> win;
-    grid::for_each_run<dim>(range.near, range.touched, [&](std::int32_t node, int at, int count) {
-      for (int i = 0; i < count; ++i) win.node[static_cast<std::size_t>(at + i)] = column[field + static_cast<std::size_t>(node + i)];
-    });
-    f(win);
-  }
-  /// Runs f on a zeroed window and adds it to the touched nodes.
-  template <class Values, class F> static BOLIDE_INLINE void scatter(std::vector<Values>& column, std::size_t field, const block_range<dim>& range, F&& f) {
-    grid::window<dim, Values> win;
-    grid::for_each_run<dim>(range.near, range.touched, [&](std::int32_t, int at, int count) {
-      for (int i = 0; i < count; ++i) win.node[static_cast<std::size_t>(at + i)] = Values(T(0));
-    });
-    f(win);
-    grid::for_each_run<dim>(range.near, range.touched, [&](std::int32_t node, int at, int count) {
-      for (int i = 0; i < count; ++i) column[field + static_cast<std::size_t>(node + i)] += win.node[static_cast<std::size_t>(at + i)];
+  template <class Set, class F> BOLIDE_INLINE void chunks(const Set& set, const block_range<dim>& range, F&& f) const { kernel::chunks(set, range, h, f); }
+
+  // ---- what particles do -------------------------------------------------------------------------------------------------------
+  /// Gradient of `first` times the first velocity of the nodes plus `second` times the second.
+  template <class Columns, class Window, class Scratch>
+  static BOLIDE_INLINE void velocity_gradient(const Columns& p, const typename kernel::chunk& c, const T* inverse_r, const Window& nodes, T first, T second, Scratch& l) {
+    kernel::velocity_gradient(p, c, inverse_r, l, [&](int d, const tile& t, int n) {
+      return first * kernel::template at_node<2 * dim>(nodes, d, t, n) + second * kernel::template at_node<2 * dim>(nodes, dim + d, t, n);
     });
   }
-  /// f(begin, n, stencil) for the particles of a range, chunk_size at a time.
-  template <wants Wanted, class Set, class F> BOLIDE_INLINE void chunks(Set& set, const block_range<dim>& range, F&& f) const {
-    stencil_type st;
-    for (std::size_t begin = range.begin; begin < range.end; begin += chunk_size) {
-      const int n = static_cast<int>(std::min<std::size_t>(chunk_size, range.end - begin));
-      st.template make<Wanted>(set.columns, begin, n, range.origin, range.touched, h, set.half_size);
-      f(begin, n, st);
-    }
-  }
-
-  /// The columns of a field's components from a particle on: held in registers by the loops below.
-  template <class Tag, std::size_t N, class Columns> static BOLIDE_INLINE auto columns_of(Columns& p, std::size_t begin) {
-    std::array<decltype(p.template get<Tag>()), N> column;
-    for (std::size_t c = 0; c < N; ++c) column[c] = p.template get<Tag>(static_cast<int>(c)) + begin;
-    return column;
-  }
-  /// add(k, sum) adds what particle k gives to the nodes of its support. Particles are sorted by their first node, so that those of the same
-  /// support follow each other: they are summed in registers and the window is touched once for all of them.
-  template <class Values, class F> static BOLIDE_INLINE void accumulate(Values* nodes, const stencil_type& st, int n, F&& add) {
-    alignas(64) std::array<Values, stencil_type::nodes> sum; // said aloud: g++ 12 does not align it by itself in a function that calls nothing
-    for (int k = 0; k < n;) {
-      const std::int32_t base = st.base[k];
-      for (auto& x : sum) x = Values(T(0));
-      do add(k, sum);
-      while (++k < n && st.base[k] == base);
-      for (int a = 0; a < stencil_type::nodes; ++a) nodes[base + stencil_type::offset(a)] += sum[static_cast<std::size_t>(a)];
-    }
-  }
-
-  // ---- what one particle does --------------------------------------------------------------------------------------------------
-  template <class Columns, class Window> BOLIDE_INLINE void scatter_momentum(const Columns& p, std::size_t begin, int n, const stencil_type& st, Window& win) const {
-    const T* const mass = p.template get<field::mass>() + begin;
-    const auto velocity = columns_of<field::velocity, dim>(p, begin);
-    [[maybe_unused]] std::array<const T*, dim * dim> affine{};
-    if constexpr (Transfer::affine) affine = columns_of<field::affine_velocity, dim * dim>(p, begin);
-    sums* const nodes = win.node.data();
-    const T cell = static_cast<T>(h);
-    accumulate(nodes, st, n, [=, &st](int k, auto& sum) {
-      const T m = mass[k];
-      const sums q = sums::make([&](int c) { return c == 0 ? m : c <= dim ? m * velocity[static_cast<std::size_t>(c <= dim && c > 0 ? c - 1 : 0)][k] : T(0); });
-      if constexpr (Transfer::affine) {
-        alignas(64) std::array<sums, dim> slope; // m C_.d h: change of the momentum per cell along axis d
-        for (std::size_t d = 0; d < dim; ++d) {
-          slope[d] = sums::make([&](int c) { return c > 0 && c <= dim ? m * cell * affine[static_cast<std::size_t>(c > 0 && c <= dim ? c - 1 : 0) * dim + d][k] : T(0); });
-        }
-        for (int a = 0; a < stencil_type::nodes; ++a) {
-          sums here = q;
-          for (int d = 0; d < dim; ++d) here += slope[static_cast<std::size_t>(d)] * st.distance(k, a, d);
-          sum[static_cast<std::size_t>(a)] += here * st.value[a][k];
-        }
-      } else {
-        for (int a = 0; a < stencil_type::nodes; ++a) sum[static_cast<std::size_t>(a)] += q * st.value[a][k];
-      }
-    });
-  }
-
-  /// Gradient at n particles of `first` times the first velocity of the nodes plus `second` times the second.
-  template <class Window> BOLIDE_INLINE void velocity_gradient(int n, const stencil_type& st, const Window& nodes, T first, T second, T (*l)[chunk_size]) const {
-    const motion* const from = nodes.node.data();
-    for (int k = 0; k < n; ++k) {
-      const motion* const at = from + st.base[k];
-      alignas(64) std::array<motion, dim> g;
-      for (auto& x : g) x = motion(T(0));
-      motion hoop(T(0));
-      for (int a = 0; a < stencil_type::nodes; ++a) {
-        const motion v = at[stencil_type::offset(a)];
-        for (int d = 0; d < dim; ++d) g[static_cast<std::size_t>(d)] += v * st.gradient[d][a][k];
-        if constexpr (Space::hoop) hoop += v * st.hoop[a][k];
-      }
-      for (int c = 0; c < dim; ++c)
-        for (int d = 0; d < dim; ++d) l[c * dim + d][k] = first * g[static_cast<std::size_t>(d)][c] + second * g[static_cast<std::size_t>(d)][dim + c];
-      if constexpr (Space::hoop) l[dim * dim][k] = first * hoop[0] + second * hoop[dim];
-    }
-    for (int c = 0; c < Space::gradient_size; ++c) // the last register of a chunk is read whole
-      for (int k = n; k < chunk_size && k < n + native_width<T>; ++k) l[c][k] = T(0);
-  }
-
-  /// Gradient at n particles of the velocity in a column that holds it alone.
-  template <class Window> BOLIDE_INLINE void gradient_of(int n, const stencil_type& st, const Window& nodes, T (*l)[chunk_size]) const {
-    for (int c = 0; c < Space::gradient_size; ++c)
-      for (int k = 0; k < chunk_size && k < n + native_width<T>; ++k) l[c][k] = T(0);
-    for (int k = 0; k < n; ++k)
-      for (int a = 0; a < stencil_type::nodes; ++a) {
-        const forces v = nodes.node[static_cast<std::size_t>(st.base[k] + stencil_type::offset(a))];
-        for (int c = 0; c < dim; ++c)
-          for (int d = 0; d < dim; ++d) l[c * dim + d][k] += v[c] * st.gradient[d][a][k];
-        if constexpr (Space::hoop) l[dim * dim][k] += v[0] * st.hoop[a][k];
-      }
-  }
-
-  /// f_I = -V (sigma grad N), in r-z with the hoop stress.
-  template <class Set, class Window> BOLIDE_INLINE void scatter_force(const Set& set, std::size_t begin, int n, const stencil_type& st, Window& win) const {
-    using V = native_pack<T>;
-    using columns = std::remove_cvref_t<decltype(set.columns)>;
-    const auto& p = set.columns;
-    T stress[dim * dim + 1][chunk_size]; // -V sigma, and -V s_tt
-    for (int k = 0; k < n; k += lane_width<V>) {
-      const std::size_t at = begin + static_cast<std::size_t>(k);
-      V pressure = load<V>(p.template get<field::pressure>() + at);
-      if constexpr (columns::template has<field::viscous_pressure>) pressure = pressure + load<V>(p.template get<field::viscous_pressure>() + at);
-      const V minus_volume = -load<V>(p.template get<field::volume>() + at);
-      typename Space::template deviator<V> s{};
-      if constexpr (columns::template has<field::deviator>)
-        for (int c = 0; c < Space::deviator_size; ++c) s[static_cast<std::size_t>(c)] = load<V>(p.template get<field::deviator>(c) + at);
-      const auto sigma = Space::in_plane(pressure, s);
-      for (int c = 0; c < dim * dim; ++c) store(minus_volume * sigma[static_cast<std::size_t>(c)], stress[c] + k);
-      if constexpr (Space::hoop) store(minus_volume * Space::hoop_stress(pressure, s), stress[dim * dim] + k);
-    }
-    forces* const nodes = win.node.data();
-    accumulate(nodes, st, n, [=, &st, &stress](int k, auto& sum) {
-      alignas(64) std::array<forces, dim> column; // of -V sigma, one per direction of the gradient
-      for (int d = 0; d < dim; ++d) {
-        column[static_cast<std::size_t>(d)] = forces::make([&](int c) { return c < dim ? stress[(c < dim ? c : 0) * dim + d][k] : T(0); });
-      }
-      [[maybe_unused]] const forces hoop = forces::make([&](int c) { return Space::hoop && c == 0 ? stress[dim * dim][k] : T(0); });
-      for (int a = 0; a < stencil_type::nodes; ++a) {
-        forces f = column[0] * st.gradient[0][a][k];
-        for (int d = 1; d < dim; ++d) f += column[static_cast<std::size_t>(d)] * st.gradient[d][a][k];
-        if constexpr (Space::hoop) f += hoop * st.hoop[a][k];
-        sum[static_cast<std::size_t>(a)] += f;
-      }
-    });
+  /// Gradient of the first vector of the node values.
+  template <class Columns, int N, class Scratch>
+  static BOLIDE_INLINE void initial_gradient(const Columns& p, const typename kernel::chunk& c, const T* inverse_r, const grid::window<dim, T, N>& nodes, Scratch& l) {
+    kernel::velocity_gradient(p, c, inverse_r, l, [&](int d, const tile& t, int n) { return kernel::template at_node<N>(nodes, d, t, n); });
   }
 
   /// m b(x_p, t)
@@ -780,90 +692,69 @@ private:
     for (const auto& f : body_forces) total += f.acceleration(x, time);
     return total * static_cast<double>(p.template get<field::mass>()[i]);
   }
-  template <class Columns, class Window>
-  void scatter_body_force(const Columns& p, std::size_t begin, int n, const stencil_type& st, Window& win) const {
-    accumulate(win.node.data(), st, n, [&](int k, auto& sum) {
-      const auto b = body_force_on(p, begin + static_cast<std::size_t>(k));
-      const forces f = forces::make([&](int c) { return c < dim ? static_cast<T>(b[c < dim ? c : 0]) : T(0); });
-      for (int a = 0; a < stencil_type::nodes; ++a) sum[static_cast<std::size_t>(a)] += f * st.value[a][k];
-    });
-  }
-
   /// FLIP: v_p += sum N dv, carried along with sum N (v + dv); m dv_p goes back to the nodes.
   template <class Columns, class Window, class Back>
-  BOLIDE_INLINE void add_change(Columns& p, std::size_t begin, int n, const stencil_type& st, const Window& nodes, Back& win, update_report& report) const {
-    const T* const mass = p.template get<field::mass>() + begin;
-    const auto velocity = columns_of<field::velocity, dim>(p, begin), carrying = columns_of<field::carrying_velocity, dim>(p, begin);
-    const motion* const from = nodes.node.data();
-    forces* const to = win.node.data();
-    double kinetic_gain = 0, returned_heat = 0;
-    accumulate(to, st, n, [=, this, &st, &p, &kinetic_gain, &returned_heat](int k, auto& sum) {
-      motion seen(T(0));
-      for (int a = 0; a < stencil_type::nodes; ++a) seen += from[st.base[k] + stencil_type::offset(a)] * st.value[a][k];
-      T gain = 0;
-      if constexpr (filters) {
-        const auto filtered = filter(p, begin + static_cast<std::size_t>(k), k, st, from, seen);
-        gain = filtered.kinetic_gain;
-        returned_heat += static_cast<double>(mass[k]) * static_cast<double>(filtered.heat);
-      } else { // clang warns of captures that only the other branch uses
-        static_cast<void>(this);
-        static_cast<void>(p);
-        static_cast<void>(returned_heat);
-      }
-      for (std::size_t d = 0; d < dim; ++d) {
-        const T v = velocity[d][k], dv = seen[static_cast<int>(dim + d)];
+  BOLIDE_INLINE void add_change(Columns& p, const typename kernel::chunk& c, const Window& nodes, Back& win, update_report& report) const {
+    typename kernel::template scratch<2 * dim> seen; // v and dv
+    kernel::template mean<2 * dim>(p, c, nodes, seen);
+    [[maybe_unused]] typename kernel::template scratch<1> spread_squares;
+    if constexpr (Transfer::filter_order == 1)
+      kernel::template mean_square<2 * dim>(p, c, nodes, [&](int d) { return p.template get<field::velocity>(d); }, spread_squares[0]);
+    detail::lane_sum<V> kinetic_gain;
+    for (int k = 0; k < c.n; k += lane_width<V>) {
+      const std::size_t at = c.begin + static_cast<std::size_t>(k);
+      const int n = std::min(c.n - k, lane_width<V>);
+      const V m = load<V>(p.template get<field::mass>() + at);
+      V gain(T(0));
+      if constexpr (filters) gain = filter(p, at, n, k, seen, spread_squares, report);
+      for (int d = 0; d < dim; ++d) {
+        T* const velocity = p.template get<field::velocity>(d) + at;
+        const V v = load<V>(velocity), mean = load<V>(seen[d] + k), dv = load<V>(seen[dim + d] + k);
         gain += dv * (v + T(0.5) * dv);
-        velocity[d][k] = v + dv;
-        carrying[d][k] = seen[static_cast<int>(d)] + dv;
+        store_first(v + dv, velocity, n);
+        store_first(mean + dv, p.template get<field::carrying_velocity>(d) + at, n);
+        store(m * dv, seen[dim + d] + k);
       }
-      const T m = mass[k];
-      const forces back = forces::make([&](int c) { return c < dim ? m * seen[c < dim ? dim + c : 0] : T(0); });
-      kinetic_gain += static_cast<double>(m) * static_cast<double>(gain);
-      for (int a = 0; a < stencil_type::nodes; ++a) sum[static_cast<std::size_t>(a)] += back * st.value[a][k];
-    });
-    report.kinetic_gain += kinetic_gain;
-    report.returned_heat += returned_heat;
+      kinetic_gain.add(m * gain, n);
+    }
+    report.kinetic_gain += kinetic_gain.total();
+    if constexpr (maps_back) kernel::template scatter_values<dim>(p, c, win, [&](int d) { return seen[dim + d]; });
   }
 
-  /// Takes filter() r, r = (1 - S S+)^m v, from the velocity of a particle before it takes the change dv of the grid, and returns what that
-  /// loses as heat (transfer/pic.hpp, transfer/xpic.hpp).
-  struct filtering {
-    T kinetic_gain, heat; // J/kg
-  };
-  template <class Columns>
-  BOLIDE_INLINE filtering filter(Columns& p, std::size_t i, int k, const stencil_type& st, const motion* from, const motion& seen) const {
+  /// Takes filter() r, r = (1 - S S+)^m v, from the velocity of n particles before they take the change dv of the grid, and returns what that
+  /// loses as heat (transfer/pic.hpp, transfer/xpic.hpp). The change of v^2/2.
+  template <class Columns, class Seen, class Squares>
+  BOLIDE_INLINE V filter(Columns& p, std::size_t at, int n, int k, const Seen& seen, const Squares& spread_squares, update_report& report) const {
     const T part = static_cast<T>(transfer.filter());
-    std::array<T, dim> r;
-    T unseen = 0, squares = 0, product = 0; // v . r as a sum that is not negative, |r|^2, dv . r
-    if constexpr (Transfer::filter_order == 1) {
-      const motion v = motion::make([&](int c) { return p.template get<field::velocity>(c % dim)[i]; });
-      motion spread(T(0));
-      for (int a = 0; a < stencil_type::nodes; ++a) {
-        const motion b = from[st.base[k] + stencil_type::offset(a)] - v;
-        spread += b * b * st.value[a][k];
-      }
-      for (int d = 0; d < dim; ++d) {
-        r[static_cast<std::size_t>(d)] = v[d] - seen[d];
-        unseen += spread[d];
-      }
-    } else {
-      for (int d = 0; d < dim; ++d) r[static_cast<std::size_t>(d)] = p.template get<field::velocity_residual>(d)[i];
-      unseen = p.template get<field::filter_loss>()[i];
-    }
-    T gain = 0;
+    V unseen, squares(T(0)), product(T(0)), gain(T(0)); // v . r as a sum that is not negative, |r|^2, dv . r
+    if constexpr (Transfer::filter_order == 1) unseen = load<V>(spread_squares[0] + k);
+    else unseen = load<V>(p.template get<field::filter_loss>() + at);
     for (int d = 0; d < dim; ++d) {
-      T& v = p.template get<field::velocity>(d)[i];
-      const T x = r[static_cast<std::size_t>(d)], next = v - part * x;
-      squares += x * x;
-      product += seen[dim + d] * x;
+      T* const velocity = p.template get<field::velocity>(d) + at;
+      const V v = load<V>(velocity);
+      V r;
+      if constexpr (Transfer::filter_order == 1) r = v - load<V>(seen[d] + k);
+      else r = load<V>(p.template get<field::velocity_residual>(d) + at);
+      const V next = v - part * r;
+      squares += r * r;
+      product += load<V>(seen[dim + d] + k) * r;
       gain += T(0.5) * (next - v) * (next + v);
-      v = next;
+      store_first(next, velocity, n);
     }
-    const T heat = static_cast<T>(transfer.heat) * part * (unseen - T(0.5) * part * squares + product);
-    p.template get<field::energy>()[i] += heat;
-    if constexpr (Columns::template has<field::failed>)
-      if (heat != T(0)) p.template get<field::failed>()[i] = std::min(p.template get<field::failed>()[i], T(1)); // no longer settled
-    return {gain, heat};
+    const V heat = static_cast<T>(transfer.heat) * part * (unseen - T(0.5) * part * squares + product);
+    return_heat(p, at, n, heat, report);
+    return gain;
+  }
+  /// Specific energy for n particles; one that had settled is no longer.
+  template <class Columns> static BOLIDE_INLINE void return_heat(Columns& p, std::size_t at, int n, V heat, update_report& report) {
+    T* const energy = p.template get<field::energy>() + at;
+    store_first(load<V>(energy) + heat, energy, n);
+    report.returned_heat += detail::sum(load<V>(p.template get<field::mass>() + at) * heat, n);
+    if constexpr (Columns::template has<field::failed>) {
+      T* const failed = p.template get<field::failed>() + at;
+      const V state = load<V>(failed);
+      store_first(select(heat != V(T(0)), min(state, V(T(1))), state), failed, n);
+    }
   }
 
   /// (1 - S S+)^m v_p of every particle, m > 1: the map to the nodes and back, m times.
@@ -875,125 +766,88 @@ private:
         if (sleeps_on(set, range)) return;
         const auto run = [&](auto& nodes) {
           const auto one_map = [&](auto* to) {
-            chunks<wants::values>(set, range, [&](std::size_t begin, int n, const stencil_type& st) { apply_filter(set.columns, begin, n, st, nodes, to, j); });
+            chunks(set, range, [&](const auto& c) { apply_filter(set.columns, c, nodes, to, j); });
           };
-          if (last) one_map(static_cast<forces*>(nullptr));
-          else scatter(next_residual_, field_of(set), range, [&](auto& win) { one_map(win.node.data()); });
+          if (last) one_map(static_cast<typename kernel::template scatter_window<dim>*>(nullptr));
+          else kernel::scatter(next_residual_, field_of(set), range, [&](auto& win) { one_map(&win); });
         };
-        if (j == 1) gather(motion_, field_of(set), range, run);
-        else gather(residual_, field_of(set), range, run);
+        if (j == 1) kernel::gather(motion_, field_of(set), range, run);
+        else kernel::gather(residual_, field_of(set), range, run);
       });
       if (last) return;
       complete(next_residual_, 0);
-      each_node([this](std::size_t i) {
+      each_row([this](std::size_t first, std::size_t end) {
         for (int d = 0; d < dim; ++d)
-          if (sums_[i][0] > T(0)) next_residual_[i].set(d, next_residual_[i][d] / sums_[i][0]);
+          for (std::size_t i = first; i < end; ++i)
+            if (sums_[0][i] > T(0)) next_residual_[d][i] /= sums_[0][i];
       });
       std::swap(residual_, next_residual_);
     }
   }
-  /// r_j = r_(j-1) - S S+ r_(j-1) for n particles; `nodes` hold S+ r_(j-1), and m r_j goes `to` the nodes of the next round.
-  template <class Columns, class Window>
-  void apply_filter(Columns& p, std::size_t begin, int n, const stencil_type& st, const Window& nodes, forces* to, int j) const {
+  /// r_j = r_(j-1) - S S+ r_(j-1) for the particles of a chunk; `nodes` hold S+ r_(j-1), and m r_j goes `to` the nodes of the next round.
+  template <class Columns, int N, class To>
+  BOLIDE_INLINE void apply_filter(Columns& p, const typename kernel::chunk& c, const grid::window<dim, T, N>& nodes, To* to, int j) const {
     constexpr int order = Transfer::filter_order;
-    const T* const mass = p.template get<field::mass>() + begin;
-    T* const loss = p.template get<field::filter_loss>() + begin;
-    const auto residual = columns_of<field::velocity_residual, dim>(p, begin), velocity = columns_of<field::velocity, dim>(p, begin);
+    T* const loss = p.template get<field::filter_loss>() + c.begin;
     const bool whole = order % 2 == 0 && j == order / 2, half = order % 2 == 1 && j == (order + 1) / 2;
-    for (int k = 0; k < n; ++k) {
-      T square_sum = 0, spread = 0;
-      for (std::size_t d = 0; d < dim; ++d) {
-        const T before = (j == 1 ? velocity : residual)[d][k];
-        T mean = 0;
-        for (int a = 0; a < stencil_type::nodes; ++a) {
-          const T u = nodes.node[static_cast<std::size_t>(st.base[k] + stencil_type::offset(a))][static_cast<int>(d)];
-          mean += st.value[a][k] * u;
-          spread += st.value[a][k] * square(before - u);
-        }
-        residual[d][k] = before - mean;
-        square_sum += square(before - mean);
+    const auto before = [&](int d) { return j == 1 ? p.template get<field::velocity>(d) : p.template get<field::velocity_residual>(d); };
+    typename kernel::template scratch<N> mean;
+    typename kernel::template scratch<1> squares;
+    kernel::template mean<N>(p, c, nodes, mean);
+    if (half) kernel::template mean_square<N>(p, c, nodes, before, squares[0]);
+    for (int k = 0; k < c.n; k += lane_width<V>) {
+      const std::size_t at = c.begin + static_cast<std::size_t>(k);
+      const int n = std::min(c.n - k, lane_width<V>);
+      const V m = load<V>(p.template get<field::mass>() + at);
+      V square_sum(T(0));
+      for (int d = 0; d < dim; ++d) {
+        const V next = load<V>(before(d) + at) - load<V>(mean[d] + k);
+        store_first(next, p.template get<field::velocity_residual>(d) + at, n);
+        square_sum += next * next;
+        store(m * next, mean[d] + k);
       }
-      if (whole) loss[k] = square_sum;
-      if (half) loss[k] = spread;
-      if (!to) continue;
-      const forces back = forces::make([&](int c) { return c < dim ? mass[k] * residual[static_cast<std::size_t>(c < dim ? c : 0)][k] : T(0); });
-      for (int a = 0; a < stencil_type::nodes; ++a) to[st.base[k] + stencil_type::offset(a)] += back * st.value[a][k];
+      if (whole) store_first(square_sum, loss + k, n);
+      if (half) store_first(load<V>(squares[0] + k), loss + k, n);
     }
+    if (to) kernel::template scatter_values<dim>(p, c, *to, [&](int d) { return mean[d]; });
   }
 
   /// APIC: velocity and affine field from the grid; what is lost on both ways becomes heat:
   ///   to the grid    1/2 sum N |v_I - v_p - C dx|^2 = 1/2 (sum N |b|^2 - 2 C : M + inertia |C|^2),  b = v_I - v_p, M = sum N b dx^T
   ///   from the grid  1/2 sum N |v'_I - v'_p - C' dx|^2 = 1/2 (sum N |b'|^2 - |sum N b'|^2 - inertia |C'|^2),  b' = v'_I - v_p
-  template <class Columns, class Window>
-  BOLIDE_INLINE void take_affine(Columns& p, std::size_t begin, int n, const stencil_type& st, const Window& nodes, update_report& report) const {
-    const T* const mass = p.template get<field::mass>() + begin;
-    T* const specific_energy = p.template get<field::energy>() + begin;
-    const auto velocity = columns_of<field::velocity, dim>(p, begin), carrying = columns_of<field::carrying_velocity, dim>(p, begin);
-    const auto affine = columns_of<field::affine_velocity, dim * dim>(p, begin);
-    [[maybe_unused]] T* failed = nullptr;
-    if constexpr (Columns::template has<field::failed>) failed = p.template get<field::failed>() + begin;
-    const motion* const from = nodes.node.data();
-    const T cell = static_cast<T>(h), inertia = cell * cell * T(Shape::inertia), heat = static_cast<T>(transfer.heat);
-    double kinetic_gain = 0, returned_heat = 0;
-    for (int k = 0; k < n; ++k) {
-      // sums relative to the old velocity: squares of differences, not of speeds
-      const motion old = motion::make([&](int c) { return velocity[static_cast<std::size_t>(c % dim)][k]; });
-      motion mean(T(0)), squares(T(0));
-      alignas(64) std::array<motion, dim> moment;
-      for (auto& m : moment) m = motion(T(0));
-      for (int a = 0; a < stencil_type::nodes; ++a) {
-        const motion b = from[st.base[k] + stencil_type::offset(a)] - old, weighted = b * st.value[a][k];
-        mean += weighted;
-        squares += weighted * b;
-        for (int d = 0; d < dim; ++d) moment[static_cast<std::size_t>(d)] += weighted * (st.distance(k, a, d) * cell);
-      }
-      T kinetic = 0, loss = 0;
-      for (int c = 0; c < dim; ++c) {
-        const T v = velocity[static_cast<std::size_t>(c)][k], dv = mean[dim + c];
+  /// as sums relative to the old velocity: squares of differences, not of speeds.
+  template <class Columns, class Window> BOLIDE_INLINE void take_affine(Columns& p, const typename kernel::chunk& c, const Window& nodes, update_report& report) const {
+    const T cell = static_cast<T>(h), inertia = cell * cell * T(Shape::inertia);
+    typename kernel::template scratch<kernel::moments> sum;
+    kernel::affine_moments(p, c, nodes, sum, cell);
+    detail::lane_sum<V> kinetic_gain;
+    for (int k = 0; k < c.n; k += lane_width<V>) {
+      const std::size_t at = c.begin + static_cast<std::size_t>(k);
+      const int n = std::min(c.n - k, lane_width<V>);
+      V kinetic(T(0)), loss = load<V>(sum[2 * dim] + k);
+      for (int i = 0; i < dim; ++i) {
+        T* const velocity = p.template get<field::velocity>(i) + at;
+        const V v = load<V>(velocity), dv = load<V>(sum[dim + i] + k);
         kinetic += dv * (v + T(0.5) * dv);
-        loss += squares[c] + squares[dim + c] - dv * dv;
-        velocity[static_cast<std::size_t>(c)][k] = v + dv;
-        carrying[static_cast<std::size_t>(c)][k] = v + dv;
+        loss -= dv * dv;
+        store_first(v + dv, velocity, n);
+        store_first(v + dv, p.template get<field::carrying_velocity>(i) + at, n);
         for (int d = 0; d < dim; ++d) {
-          T& slope = affine[static_cast<std::size_t>(c * dim + d)][k];
-          const T next = moment[static_cast<std::size_t>(d)][dim + c] / inertia;
-          loss += slope * (inertia * slope - T(2) * moment[static_cast<std::size_t>(d)][c]) - inertia * next * next;
+          T* const affine = p.template get<field::affine_velocity>(i * dim + d) + at;
+          const V slope = load<V>(affine), next = load<V>(sum[2 * dim + 1 + (dim + i) * dim + d] + k) / inertia;
+          loss += slope * (inertia * slope - T(2) * load<V>(sum[2 * dim + 1 + i * dim + d] + k)) - inertia * next * next;
           kinetic += T(0.5) * inertia * (next * next - slope * slope);
-          slope = next;
+          store_first(next, affine, n);
         }
       }
-      loss *= T(0.5) * heat;
-      specific_energy[k] += loss;
-      if constexpr (Columns::template has<field::failed>) failed[k] = std::min(failed[k], T(1)); // no longer settled
-      kinetic_gain += static_cast<double>(mass[k]) * static_cast<double>(kinetic);
-      returned_heat += static_cast<double>(mass[k]) * static_cast<double>(loss);
+      kinetic_gain.add(load<V>(p.template get<field::mass>() + at) * kinetic, n);
+      return_heat(p, at, n, T(0.5) * static_cast<T>(transfer.heat) * loss, report);
     }
-    report.kinetic_gain += kinetic_gain;
-    report.returned_heat += returned_heat;
-  }
-
-  template <class Columns, class Back> BOLIDE_INLINE void scatter_velocity_back(const Columns& p, std::size_t begin, int n, const stencil_type& st, Back& win) const {
-    const T* const mass = p.template get<field::mass>() + begin;
-    const auto velocity = columns_of<field::velocity, dim>(p, begin);
-    const auto affine = columns_of<field::affine_velocity, dim * dim>(p, begin);
-    const T cell = static_cast<T>(h);
-    accumulate(win.node.data(), st, n, [=, &st](int k, auto& sum) {
-      for (int a = 0; a < stencil_type::nodes; ++a) {
-        const forces q = forces::make([&](int axis) {
-          if (axis >= dim) return T(0);
-          const auto c = static_cast<std::size_t>(axis < dim ? axis : 0);
-          T v = velocity[c][k];
-          for (std::size_t d = 0; d < dim; ++d) v += affine[c * dim + d][k] * st.distance(k, a, static_cast<int>(d)) * cell;
-          return mass[k] * v;
-        });
-        sum[static_cast<std::size_t>(a)] += q * st.value[a][k];
-      }
-    });
+    report.kinetic_gain += kinetic_gain.total();
   }
 
   /// x_p += dt sum N (v + dv); a particle that crosses a mirror comes back reflected, and is counted.
   template <class Set> void move(Set& set, block_range<dim>& range, update_report& report) const {
-    using V = native_pack<T>;
     auto& p = set.columns;
     for (std::size_t at = range.begin; at < range.end; at += static_cast<std::size_t>(lane_width<V>)) {
       const int n = static_cast<int>(std::min<std::size_t>(range.end - at, static_cast<std::size_t>(lane_width<V>)));
@@ -1024,6 +878,7 @@ private:
       }
     }
     if (!set.measure(range, h)) report.moved_out = true;
+    else set.renew_tiles(range, h);
   }
 };
 

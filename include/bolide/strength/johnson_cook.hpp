@@ -49,7 +49,11 @@ struct johnson_cook {
   template <class V> BOLIDE_INLINE V yield_floor(V temperature, V melting) const { return scalar_t<V>(a) * softening(temperature, melting); }
   template <class V> BOLIDE_INLINE V yield_stress(V plastic_strain, V rate, V temperature, V melting) const {
     using T = scalar_t<V>;
-    const V hardening = select(plastic_strain > V(T(0)), T(b) * pow(max(plastic_strain, V(T(1e-30))), V(T(n))), V(T(0)));
+    const V strain = max(plastic_strain, V(T(1e-30)));
+    V power;
+    if constexpr (lane_width<V> == 1) power = pow(strain, V(T(n)));
+    else power = exp(T(n) * log(strain)); // pow carries more digits than A + B eps^n can show: eps^n |ln eps^n| < 0.37 below eps = 1
+    const V hardening = select(plastic_strain > V(T(0)), T(b) * power, V(T(0)));
     return (T(a) + hardening) * (T(1) + T(c) * log(max(rate, V(T(1))))) * softening(temperature, melting);
   }
 };

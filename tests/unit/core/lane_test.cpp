@@ -143,4 +143,28 @@ TEST(NativePack, FillsTheRegister) {
   static_assert(!Lane<int>);
 }
 
+TYPED_TEST(LaneOf, SpreadsAndSqueezesByEveryMask) {
+  using V = TypeParam;
+  using n = typename TestFixture::number;
+  constexpr int w = TestFixture::width;
+  std::array<n, 2 * static_cast<std::size_t>(w)> dense{}, back{};
+  for (std::size_t i = 0; i < dense.size(); ++i) dense[i] = n(i) + n(0.5);
+  for (unsigned trial = 0; trial < 256; ++trial) {
+    const unsigned bits = (trial * 2654435761u ^ trial) & all_lanes<V>;
+    const V lanes = spread<V>(dense.data(), bits);
+    std::size_t next = 0;
+    for (int i = 0; i < w; ++i) {
+      const bool there = (bits >> i) & 1;
+      EXPECT_EQ(lane(lanes, i), there ? dense[next] : n(0)) << bits;
+      EXPECT_EQ(this->answer(lanes_of<V>(bits), i), there);
+      next += there;
+    }
+    back.fill(n(-1));
+    squeeze(lanes, bits, back.data());
+    for (std::size_t i = 0; i < static_cast<std::size_t>(w); ++i) EXPECT_EQ(back[i], i < next ? dense[i] : n(0)) << bits;
+    EXPECT_EQ(back[static_cast<std::size_t>(w)], n(-1)) << "more than a register was written";
+  }
+  for (int i = 0; i < w; ++i) EXPECT_EQ(lane(lane_numbers<V>(), i), n(i));
+}
+
 } // namespace

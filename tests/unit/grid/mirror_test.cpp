@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A mirror plane against the obvious reference: the same particles together with their mirror images on a grid without a plane.
 #include "bolide/grid/mirror.hpp"
-#include "bolide/core/lane.hpp"
+#include "bolide/grid/node_column.hpp"
 #include "bolide/shape/linear.hpp"
 #include "bolide/shape/quadratic_bspline.hpp"
 
@@ -13,13 +13,13 @@ namespace bolide::grid {
 namespace {
 
 using map2 = block_map<2>;
-using values = pack<double, 4>; // m, P_0, P_1, unused
+using values = node_column<double, 3>; // m, P_0, P_1
 
 struct point {
   double x[2], v[2];
 };
 
-template <class Shape> void add(const map2& map, std::vector<values>& sums, const point& p) {
+template <class Shape> void add(const map2& map, values& sums, const point& p) {
   double n[2][Shape::support];
   cell_index<2> first;
   for (std::size_t d = 0; d < 2; ++d) {
@@ -31,8 +31,7 @@ template <class Shape> void add(const map2& map, std::vector<values>& sums, cons
       const auto node = map.node({first[0] + i, first[1] + j});
       ASSERT_GE(node, 0);
       const double w = n[0][i] * n[1][j];
-      values& s = sums[static_cast<std::size_t>(node)];
-      for (int c = 0; c < 3; ++c) s.set(c, s[c] + w * (c == 0 ? 1 : p.v[c - 1]));
+      for (int c = 0; c < 3; ++c) sums[c][node] += w * (c == 0 ? 1 : p.v[c - 1]);
     }
 }
 
@@ -62,7 +61,9 @@ TYPED_TEST(Mirror, GivesWhatParticlesAndTheirImagesGive) {
     std::vector<cell_index<2>> blocks;
     for (const auto& p : all) blocks.push_back(map2::block_of({static_cast<std::int32_t>(std::floor(p.x[0])), static_cast<std::int32_t>(std::floor(p.x[1]))}));
     map.rebuild(blocks);
-    std::vector<values> ours(map.size() * map2::nodes_per_block, values(0)), reference = ours;
+    values ours;
+    ours.resize(map.size() * map2::nodes_per_block);
+    values reference = ours;
     for (const auto& p : real) add<TypeParam>(map, ours, p);
     for (const auto& p : all) add<TypeParam>(map, reference, p);
     mirror_nodes<2> m(plane, 1.0);
@@ -81,8 +82,8 @@ TYPED_TEST(Mirror, GivesWhatParticlesAndTheirImagesGive) {
         if (TypeParam::support == 2 && depth > 0) continue; // linear shapes reach no image node: what lies there is never read
         const double share = depth == 0 ? 0.5 : 1;          // a node on the plane belongs to both halves
         for (int c = 0; c < 3; ++c) {
-          const double expected = depth == 0 && c == 1 + plane.axis ? 0 : share * reference[node][c];
-          EXPECT_NEAR(ours[node][c], expected, 1e-12) << "node " << at[0] << " " << at[1] << " component " << c;
+          const double expected = depth == 0 && c == 1 + plane.axis ? 0 : share * reference[c][node];
+          EXPECT_NEAR(ours[c][node], expected, 1e-12) << "node " << at[0] << " " << at[1] << " component " << c;
         }
       }
     EXPECT_GT(images, 0);
@@ -101,7 +102,9 @@ TYPED_TEST(Mirror, TwoPlanesFoldIntoACorner) {
   }
   map2 map;
   map.rebuild({{0, 0}, {-1, -1}});
-  std::vector<values> ours(map.size() * map2::nodes_per_block, values(0)), reference = ours;
+  values ours;
+    ours.resize(map.size() * map2::nodes_per_block);
+    values reference = ours;
   for (const auto& p : real) add<TypeParam>(map, ours, p);
   for (const auto& p : all) add<TypeParam>(map, reference, p);
   std::vector<mirror_nodes<2>> mirrors;
@@ -115,8 +118,8 @@ TYPED_TEST(Mirror, TwoPlanesFoldIntoACorner) {
       const auto node = static_cast<std::size_t>(map.node({i, j}));
       const double share = (i == 0 ? 0.5 : 1) * (j == 0 ? 0.5 : 1);
       for (int c = 0; c < 3; ++c) {
-        const double expected = (c == 1 && i == 0) || (c == 2 && j == 0) ? 0 : share * reference[node][c];
-        EXPECT_NEAR(ours[node][c], expected, 1e-12) << i << " " << j << " component " << c;
+        const double expected = (c == 1 && i == 0) || (c == 2 && j == 0) ? 0 : share * reference[c][node];
+        EXPECT_NEAR(ours[c][node], expected, 1e-12) << i << " " << j << " component " << c;
       }
     }
 }
