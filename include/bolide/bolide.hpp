@@ -4,6 +4,8 @@
 // names (README, examples/own_eos).
 #pragma once
 
+#include "bolide/advise/advisor.hpp"
+#include "bolide/advise/table.hpp"
 #include "bolide/analysis/hugoniot.hpp"
 #include "bolide/analysis/impedance_match.hpp"
 #include "bolide/analysis/isentrope.hpp"
@@ -47,6 +49,7 @@
 #include "bolide/core/lane.hpp"
 #include "bolide/core/math.hpp"
 #include "bolide/core/quantity.hpp"
+#include "bolide/core/staggered.hpp"
 #include "bolide/core/text_input.hpp"
 #include "bolide/core/unit.hpp"
 #include "bolide/eos/bracketed_root.hpp"
@@ -104,6 +107,7 @@
 #include "bolide/failure/thermal_tension.hpp"
 #include "bolide/grid/mirror.hpp"
 #include "bolide/grid/moving_wall.hpp"
+#include "bolide/grid/node_column.hpp"
 #include "bolide/grid/node_pairs.hpp"
 #include "bolide/grid/periodic.hpp"
 #include "bolide/grid/sparse.hpp"
@@ -166,11 +170,13 @@
 #include "bolide/shape/quadratic_bspline.hpp"
 #include "bolide/solver/body.hpp"
 #include "bolide/solver/body_force.hpp"
+#include "bolide/solver/kernels.hpp"
 #include "bolide/solver/ledger.hpp"
 #include "bolide/solver/particle_set.hpp"
 #include "bolide/solver/phases.hpp"
 #include "bolide/solver/solver.hpp"
 #include "bolide/solver/stencil.hpp"
+#include "bolide/solver/tiles.hpp"
 #include "bolide/space/axisymmetric.hpp"
 #include "bolide/space/cartesian_3d.hpp"
 #include "bolide/space/planar_1d.hpp"
