@@ -12,9 +12,10 @@
 // the particles of W cells give is summed in registers and added to the grid once. Particles are kept block by block (16 x 16 cells when sorted)
 // in the order row, group of W cells, rank in the cell, cell. A tile is up to W particles of a group, at most one per cell: a mask of the cells
 // that have one; its particles follow each other in the columns, so nothing is stored for a cell without a particle. The stress is computed on
-// dense lanes between two passes over tiles; a tile that is not full is gathered into a buffer, never stored to a column (the next tile's load would wait).
+// dense lanes between two passes over tiles; a tile that is not full is gathered into a buffer, never stored to a column (the next tile's load
+// would wait).
 // A particle may leave its cell: its tile is processed once more for every distinct drift of its lanes, with the nodes of the cell they are in.
-// A block is sorted when a third of its tiles have such lanes, all of them when one spreads over 24 rows or 32 columns of cells.
+// A block is sorted when a tenth of its tiles have such lanes, all of them when one spreads over 24 rows or 32 columns of cells.
 //
 // The domain is a box off the axis that the material must not leave (as in textbook.hpp), a group holds at most 64 particles per cell; nothing is
 // checked in a step. One thread. 16 numbers and 4 bytes per particle, 9 numbers per node of the box. Any SIMD width; fast with AVX-512, which
@@ -174,7 +175,7 @@ private:
   static constexpr std::size_t padding = 2 * width;
   static constexpr int side = 16, most_rows = 24, most_columns = 32, groups_per_row = most_columns / width;
   static constexpr std::size_t batch = 128;               // particles between two passes over tiles, or a group more
-  static constexpr std::size_t room = batch + 64 * width; // for them
+  static constexpr std::size_t room = batch + 65 * width; // for them
   struct group {
     std::uint32_t first, tile, tiles; // particle, tile
     int row, column;                  // of its first cell
@@ -399,15 +400,26 @@ private:
       for (int a = 0; a < 2; ++a) *nodes(first_column + k, state.row + a, state.column) += state.waiting[k][a][width - 1];
     state.row = -1;
   }
-  /// f(from, to, begin, end) for batches of groups from .. to with the particles begin .. end.
+  /// f(from, to, begin, end, base) for batches of groups from .. to with the particles begin .. end. In the buffer they are counted from base, the
+  /// cache line of the first, so that dense lanes straddle no cache line.
   template <class F> static BOLIDE_INLINE void for_each_batch(const block& b, F&& f) {
     for (std::size_t from = 0; from < b.groups.size();) {
       const std::size_t begin = b.groups[from].first;
       std::size_t to = from + 1;
       while (to < b.groups.size() && b.groups[to].first - begin < batch) ++to;
-      f(from, to, begin, to < b.groups.size() ? std::size_t{b.groups[to].first} : b.end);
+      f(from, to, begin, to < b.groups.size() ? std::size_t{b.groups[to].first} : b.end, begin - begin % width);
       from = to;
     }
+  }
+  /// f<full?>(at, lanes) for the packs of the particles begin .. end, from base on.
+  template <class F> static BOLIDE_INLINE void for_each_pack(std::size_t begin, std::size_t end, std::size_t base, F&& f) {
+    std::size_t at = base;
+    if (base < begin) {
+      f.template operator()<false>(at, static_cast<mask>(first(end - at) & ~first(begin - at)));
+      at += width;
+    }
+    for (; at + width <= end; at += width) f.template operator()<true>(at, full);
+    if (at < end) f.template operator()<false>(at, first(end - at));
   }
 
   // ---- map --------------------------------------------------------------------------------------------------------------------------
@@ -473,10 +485,10 @@ private:
     rate /= 1.01 * 1.1; // what asks for less cannot limit the next step, which may grow by 1.1
     for (const auto& b : blocks_) {
       sums_of_row<2> state;
-      for_each_batch(b, [&](std::size_t from, std::size_t to, std::size_t begin, std::size_t end) {
-        gradient_groups(velocity, b, from, to, begin);
-        update_particles(begin, end);
-        force_groups(b, from, to, begin, state);
+      for_each_batch(b, [&](std::size_t from, std::size_t to, std::size_t begin, std::size_t end, std::size_t base) {
+        gradient_groups(velocity, b, from, to, base);
+        update_particles(begin, end, base);
+        force_groups(b, from, to, base, state);
       });
       finish<2>(force, state);
     }
@@ -491,7 +503,7 @@ private:
     }
   }
   /// dt L of a nodal velocity at the particles of groups from .. to, into the buffer; the last is dt v_r / h.
-  __attribute__((noinline)) void gradient_groups(int of_nodes, const block& b, std::size_t from, std::size_t to, std::size_t begin) {
+  __attribute__((noinline)) void gradient_groups(int of_nodes, const block& b, std::size_t from, std::size_t to, std::size_t base) {
     for (std::size_t k = from; k < to; ++k) {
       const group& g = b.groups[k];
       node_lanes<2> v;
@@ -503,7 +515,7 @@ private:
         lanes l[5];
         if (home == full) {
           gradient(position<true>(at, m, g), v, l);
-          for (std::size_t i = 0; i < 5; ++i) store(l[i], &buffer_[i][at - begin]);
+          for (std::size_t i = 0; i < 5; ++i) store(l[i], &buffer_[i][at - base]);
         } else {
           const place x = position<false>(at, m, g);
           gradient(x, v, l);
@@ -515,7 +527,7 @@ private:
               gradient(x.moved(rows, steps), there, own);
               for (int i = 0; i < 5; ++i) l[i] = pick(moved, own[i], l[i]);
             });
-          for (std::size_t i = 0; i < 5; ++i) store(gathered(m, l[i]), &buffer_[i][at - begin]); // the next tile overwrites what is too much
+          for (std::size_t i = 0; i < 5; ++i) store(gathered(m, l[i]), &buffer_[i][at - base]); // the next tile overwrites what is too much
         }
         at += static_cast<std::size_t>(std::popcount(m));
       }
@@ -536,13 +548,13 @@ private:
   /// s : s / 2
   static BOLIDE_INLINE lanes half_square(lanes rr, lanes zz, lanes rz) { return rr * rr + zz * (rr + zz) + rz * rz; }
 
-  __attribute__((noinline)) void update_particles(std::size_t begin, std::size_t end) {
+  __attribute__((noinline)) void update_particles(std::size_t begin, std::size_t end, std::size_t base) {
     const constants k = law_; // a local copy: no store to a column can change it
     lanes plastic(0);
     double largest = rate;
-    std::size_t at = begin;
-    for (; at + width <= end; at += width) update_lanes<true>(k, dt_, at, at - begin, full, plastic, largest);
-    if (at < end) update_lanes<false>(k, dt_, at, at - begin, first(end - at), plastic, largest);
+    for_each_pack(begin, end, base, [&]<bool Full>(std::size_t at, mask active) __attribute__((always_inline)) {
+      update_lanes<Full>(k, dt_, at, at - base, active, plastic, largest);
+    });
     energy.plastic_work += sum(plastic);
     rate = largest;
   }
@@ -643,7 +655,7 @@ private:
       sums[1][row][1] += axial * b[1] + across;
     }
   }
-  __attribute__((noinline)) void force_groups(const block& b, std::size_t from, std::size_t to, std::size_t begin, sums_of_row<2>& kept) {
+  __attribute__((noinline)) void force_groups(const block& b, std::size_t from, std::size_t to, std::size_t base, sums_of_row<2>& kept) {
     sums_of_row<2> state = kept;
     for (std::size_t k = from; k < to; ++k) {
       const group& g = b.groups[k];
@@ -652,14 +664,14 @@ private:
       std::size_t at = g.first;
       for (std::size_t t = g.tile; t < g.tile + g.tiles; ++t) {
         const mask m = b.tiles[t], home = b.home[t];
-        if (home == full) force_tile<true>(at - begin, m, m, position<true>(at, m, g), sums);
+        if (home == full) force_tile<true>(at - base, m, m, position<true>(at, m, g), sums);
         else {
           const place x = position<false>(at, m, g);
-          force_tile<false>(at - begin, m, home, x, sums);
+          force_tile<false>(at - base, m, home, x, sums);
           if (m != home) for_each_drift(m & ~home, x, [&](int rows, int steps, mask moved) {
               node_lanes<2> own;
               clear<2>(own);
-              force_tile<false>(at - begin, m, moved, x.moved(rows, steps), own);
+              force_tile<false>(at - base, m, moved, x.moved(rows, steps), own);
               add<2>(force, g.row + rows, g.column + steps, own);
             });
         }
@@ -679,8 +691,8 @@ private:
     lanes gain(0);
     for (auto& b : blocks_) {
       sums_of_row<2> state;
-      for_each_batch(b, [&](std::size_t from, std::size_t to, std::size_t begin, std::size_t) {
-        accelerate_groups(b, from, to, begin, state, gain);
+      for_each_batch(b, [&](std::size_t from, std::size_t to, std::size_t, std::size_t, std::size_t base) {
+        accelerate_groups(b, from, to, base, state, gain);
       });
       finish<2>(back, state);
     }
@@ -759,7 +771,7 @@ private:
     }
     home_next = position(radius + dt_ * carry[0], height + dt_ * carry[1], g).inside() & m;
   }
-  __attribute__((noinline)) void accelerate_groups(block& b, std::size_t from, std::size_t to, std::size_t begin, sums_of_row<2>& kept, lanes& gain) {
+  __attribute__((noinline)) void accelerate_groups(block& b, std::size_t from, std::size_t to, std::size_t base, sums_of_row<2>& kept, lanes& gain) {
     sums_of_row<2> state = kept;
     lanes total = gain;
     for (std::size_t k = from; k < to; ++k) {
@@ -773,7 +785,7 @@ private:
       auto buffered = [&, copied = at](std::size_t upto, bool is_buffered) mutable { // buffered particles go to their columns
         if (is_buffered)
           for (; copied < upto; copied += width)
-            for (std::size_t i = 0; i < 4; ++i) store_lanes(load<lanes>(&buffer_[i][copied - begin]), &of[vr + i][copied], first(upto - copied));
+            for (std::size_t i = 0; i < 4; ++i) store_lanes(load<lanes>(&buffer_[i][copied - base]), &of[vr + i][copied], first(upto - copied));
         copied = upto;
       };
       bool through_buffer = false;
@@ -785,8 +797,8 @@ private:
           buffered(at, through_buffer);
           through_buffer = !whole;
         }
-        if (whole) accelerate_tile<true>(at, at - begin, m, home, b.home_next[t], g, v, sums, total);
-        else accelerate_tile<false>(at, at - begin, m, home, b.home_next[t], g, v, sums, total);
+        if (whole) accelerate_tile<true>(at, at - base, m, home, b.home_next[t], g, v, sums, total);
+        else accelerate_tile<false>(at, at - base, m, home, b.home_next[t], g, v, sums, total);
         b.dirty += b.home_next[t] != m ? 1 : 0;
         at = next;
       }
@@ -800,22 +812,22 @@ private:
   // ---- work and move ------------------------------------------------------------------------------------------------------------------
   void work_and_move() {
     for (auto& b : blocks_) {
-      for_each_batch(b, [&](std::size_t from, std::size_t to, std::size_t begin, std::size_t end) {
-        gradient_groups(back, b, from, to, begin);
-        work_particles(begin, end);
+      for_each_batch(b, [&](std::size_t from, std::size_t to, std::size_t begin, std::size_t end, std::size_t base) {
+        gradient_groups(back, b, from, to, base);
+        work_particles(begin, end, base);
       });
       b.home.swap(b.home_next);
-      const bool mixed = 3 * b.dirty > b.tiles.size();
+      const bool mixed = 10 * b.dirty > b.tiles.size();
       b.dirty = 0;
       if (mixed) sort(b);
     }
   }
-  __attribute__((noinline)) void work_particles(std::size_t begin, std::size_t end) {
+  __attribute__((noinline)) void work_particles(std::size_t begin, std::size_t end, std::size_t base) {
     const double h = law_.h;
     lanes heat(0), work(0);
-    std::size_t at = begin;
-    for (; at + width <= end; at += width) work_lanes<true>(h, dt_, at, at - begin, full, heat, work);
-    if (at < end) work_lanes<false>(h, dt_, at, at - begin, first(end - at), heat, work);
+    for_each_pack(begin, end, base, [&]<bool Full>(std::size_t at, mask active) __attribute__((always_inline)) {
+      work_lanes<Full>(h, dt_, at, at - base, active, heat, work);
+    });
     energy.viscous_heating += sum(heat);
     energy.work_mismatch += sum(work);
   }
