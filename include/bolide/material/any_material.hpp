@@ -43,6 +43,7 @@ public:
     return static_cast<double>(p.template get<field::volume>()[i]);
   }
   template <class Columns> double shear_energy(const Columns& p, std::size_t i) const { return model_->shear_energy(view(p), i); }
+  double impedance() const { return model_->impedance(); }
 
 private:
   using fields_view = particles::column_view<T, SpaceType, particle_fields>;
@@ -57,6 +58,7 @@ private:
     virtual void work(fields_view p, std::size_t begin, int n, const T (*l)[chunk_size], T dt, update_report& report) const = 0;
     virtual thermal_point<double> thermodynamics(fields_view p, std::size_t i) const = 0;
     virtual double shear_energy(fields_view p, std::size_t i) const = 0;
+    virtual double impedance() const = 0;
   };
   template <class Material> struct model final : base {
     Material material;
@@ -72,6 +74,7 @@ private:
     }
     thermal_point<double> thermodynamics(fields_view p, std::size_t i) const override { return material.thermodynamics(p, i); }
     double shear_energy(fields_view p, std::size_t i) const override { return material.shear_energy(p, i); }
+    double impedance() const override { return material.impedance(); }
   };
   std::shared_ptr<const base> model_;
 };

@@ -224,6 +224,9 @@ public:
     } else return 0;
   }
 
+  /// rho c of the reference state, Pa s/m.
+  double impedance() const { return eos.reference_density() * std::sqrt(c2_reference_); }
+
 private:
   static constexpr bool varies = Strength::carries_shear && VariableShearModulus<Strength>;
   static constexpr bool softens = SofteningFailure<Failure>;

@@ -152,18 +152,20 @@ template <class T, class Space, class Shape, class Material, class Fields> struc
     r.excess_tiles = 0;
   }
 
-  /// Are all particles of a range without velocity, stress and void? Then nothing of them changes until their nodes move.
-  bool at_rest(const block_range<dim>& r) const {
-    const auto is_zero = [&]<class Tag>(Tag) {
+  /// Are all particles of a range without void, and without velocity and stress beyond `speed` (m/s) and rho c times it? With speed = 0 nothing of
+  /// them changes until their nodes move.
+  bool at_rest(const block_range<dim>& r, T speed, T cell) const {
+    const T stress = static_cast<T>(material.impedance()) * speed;
+    const auto is_below = [&]<class Tag>(Tag, T bound) {
       if constexpr (decltype(columns)::template has<Tag>)
         for (int c = 0; c < Space::components(Tag::order); ++c) {
           const T* x = columns.template get<Tag>(c);
-          if (std::any_of(x + r.begin, x + r.end, [](T v) { return !(v == T(0)); })) return false;
+          if (std::any_of(x + r.begin, x + r.end, [bound](T v) { return !(std::abs(v) <= bound); })) return false;
         }
       return true;
     };
-    return is_zero(field::velocity{}) && is_zero(field::pressure{}) && is_zero(field::deviator{}) && is_zero(field::viscous_pressure{}) &&
-           is_zero(field::affine_velocity{}) && is_zero(field::failed{});
+    return is_below(field::velocity{}, speed) && is_below(field::pressure{}, stress) && is_below(field::deviator{}, stress) && is_below(field::viscous_pressure{}, stress) &&
+           is_below(field::affine_velocity{}, speed / cell) && is_below(field::failed{}, T(0));
   }
 
   /// Finds which nodes the particles of a range touch. False where they have drifted further than the neighbouring blocks allow.

@@ -7,6 +7,7 @@
 //
 // What is at rest is not computed. A range whose particles had neither velocity nor stress when they were sorted sleeps until one of its
 // nodes moves; material without stress gives no force and does no work. Both leave out only additions of zero: the answer is the same.
+// With a quiet speed above 0 (controls::quiet_speed) slower material sleeps too, where it is, and keeps its velocity until it wakes.
 #pragma once
 
 #include "bolide/core/algebra.hpp"
@@ -53,6 +54,7 @@ public:
   step_limit limit;   // of the next step
   double ignore_below = 0; // 1/s: a particle that asks for less cannot limit the next step, whose growth is bounded
   bool skip_quiet = true;  // leave out what is at rest?
+  T quiet_speed = 0;       // m/s, up to which it counts as at rest
   bool sorted = false; // does every particle touch only the blocks around its own?
 
   phases(const Grid& grid, T courant_number, Transfer t, Contact c, std::tuple<Sets...> s)
@@ -253,7 +255,7 @@ public:
     for_each_set([&](auto& s) {
       s.sort(blocks, h);
       for (auto& r : s.ranges) {
-        if (!skip_quiet || !s.at_rest(r)) continue;
+        if (!skip_quiet || !s.at_rest(r, quiet_speed, static_cast<T>(h))) continue;
         r.quiet = asleep;
         update_report report;
         update_without_motion(s, r, report);
@@ -425,7 +427,7 @@ private:
     grid::for_each_run<dim>(range.near, range.touched, [&](std::int32_t node, int, int count) {
       for (int c = 0; c < 2 * dim; ++c) {
         const T* const v = motion_[c] + field_of(set) + node;
-        for (int i = 0; i < count; ++i) moves = moves || v[i] != T(0);
+        for (int i = 0; i < count; ++i) moves = moves || !(std::abs(v[i]) <= quiet_speed);
       }
     });
     if (moves) range.quiet = 0;

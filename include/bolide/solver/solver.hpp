@@ -254,6 +254,7 @@ public:
     a.same("first step", controls_.first_step, "");
     a.same("growth", controls_.growth, "");
     a.same("dt floor", controls_.dt_floor, "");
+    a.same("quiet speed", controls_.quiet_speed, "m/s");
     a.same("energy bound", controls_.energy_bound, "");
     a.same("mirrors", static_cast<double>(phases_.mirrors.size()), "");
     for (std::size_t k = 0; k < phases_.mirrors.size(); ++k) {
@@ -375,6 +376,7 @@ private:
 
   void start() {
     started_ = true;
+    phases_.quiet_speed = static_cast<T>(controls_.quiet_speed);
     phases_.skip_quiet = controls_.skip_quiet && phases_.body_forces.empty() && phases_.periods.empty() && phases_.walls.empty();
 #if defined(_OPENMP)
     threads_ = controls_.threads > 0 ? controls_.threads : omp_get_max_threads();

@@ -19,6 +19,8 @@ template <class T = double> struct controls {
   long step_cap = 10'000'000;
   bool accept_one_particle_per_cell = false; // material seeded so wide fractures numerically: refused unless asked for
   bool skip_quiet = true;        // leave out particles at rest and without stress: the same answer for less work
+  double quiet_speed = 0;        // m/s: what is slower, under a stress below rho c times that, counts as at rest. It stays where it is:
+                                 // displacements below quiet_speed times the time asleep are left out. 0: the same bits as without skipping
   int threads = 1;               // 0: as many as the machine has; on a machine that is busy with other work threads wait for each other
 
   void validate() const {
@@ -27,6 +29,8 @@ template <class T = double> struct controls {
     require(growth > 1 && growth <= 10, "growth", growth, "in (1, 10]");
     require(dt_floor > 0 && dt_floor < 1, "dt floor", dt_floor, "in (0, 1) of the first step");
     require(energy_bound > 0, "energy bound", energy_bound, "positive");
+    require(quiet_speed >= 0 && quiet_speed < 1e3, "quiet speed", quiet_speed, "in [0, 1000)", "m/s");
+    require(quiet_speed == 0 || skip_quiet, "quiet speed", quiet_speed, "0 where skip_quiet is off", "m/s");
     require(step_cap > 0, "step cap", static_cast<double>(step_cap), "positive");
     require(threads >= 0 && threads <= 1024, "threads", threads, "in [0, 1024]");
   }

@@ -233,11 +233,12 @@ using quiet_methods = testing::Types<linear_flip_usf, linear_flip_musl, bspline_
 TYPED_TEST_SUITE(Quiet, quiet_methods, method_names);
 
 /// A wide plate, in two parts that touch: blocks of either wake by the other.
-template <class Method> auto impact_on_wide_plate(bool skip_quiet) {
+template <class Method> auto impact_on_wide_plate(bool skip_quiet, double quiet_speed = 0) {
   using point = vec<double, 2>;
   const initial_state at{2785, 0};
   auto c = one_thread<typename Method::scalar>();
   c.skip_quiet = skip_quiet;
+  c.quiet_speed = quiet_speed;
   const body ball{"ball", sphere{point{0, -0.4 * mm}, 0.4 * mm}, aluminium(), 0.05 * mm, at, point{0, 6640}};
   const body plate{"plate", box{point{0, 0}, point{4 * mm, 0.3 * mm}}, aluminium(), 0.05 * mm, at};
   const body rim{"rim", box{point{4 * mm, 0}, point{9 * mm, 0.3 * mm}}, aluminium(), 0.05 * mm, at};
@@ -261,6 +262,28 @@ TYPED_TEST(Quiet, SleepingBlocksChangeNoBit) {
   EXPECT_LT(lazy.sleeping_particles(), most / 2) << "and be woken by the wave";
   EXPECT_EQ(lazy.energies().plastic_work, busy.energies().plastic_work);
   EXPECT_EQ(lazy.energies().drift(), busy.energies().drift());
+}
+/// A quiet speed lets more sleep. What it leaves out is bounded: displacements of quiet speed times time, and as little of the rest.
+TEST(QuietSpeed, LeavesOutNoMoreThanItSays) {
+  const double speed = 1e-3; // m/s: strains of 2e-7
+  auto exact = impact_on_wide_plate<linear_flip_usf>(true), lazy = impact_on_wide_plate<linear_flip_usf>(true, speed);
+  std::size_t exactly = 0, lazily = 0;
+  while (exact.time() < 1 * us) exact.step(), exactly += exact.sleeping_particles();
+  while (lazy.time() < 1 * us) lazy.step(), lazily += lazy.sleeping_particles();
+  EXPECT_GT(lazily, exactly);
+  ASSERT_EQ(lazy.steps(), exact.steps());
+  std::vector<double> z(exact.particle_count());
+  exact.for_each_body([&](const auto& s) {
+    for (std::size_t i = 0; i < s.columns.size(); ++i) z[s.columns.id()[i]] = s.columns.template get<field::position>(1)[i];
+  });
+  lazy.for_each_body([&](const auto& s) {
+    if (s.name != "rim") return;
+    for (std::size_t i = 0; i < s.columns.size(); ++i) EXPECT_NEAR(s.columns.template get<field::position>(1)[i], z[s.columns.id()[i]], 10 * speed * exact.time());
+  });
+  const auto &a = exact.energies(), &b = lazy.energies();
+  EXPECT_NEAR(b.now.total(), a.now.total(), 1e-9 * a.now.total());
+  EXPECT_THROW(impact_on_wide_plate<linear_flip_usf>(true, -1), bad_parameter);
+  EXPECT_THROW(impact_on_wide_plate<linear_flip_usf>(false, 1), bad_parameter);
 }
 TYPED_TEST(Quiet, MaterialAtRestSleepsForEver) {
   using point = vec<double, 2>;
