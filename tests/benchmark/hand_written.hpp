@@ -100,6 +100,17 @@ BOLIDE_INLINE lanes least(lanes a, lanes b) { return min(a, b); }
 BOLIDE_INLINE lanes most(lanes a, lanes b) { return max(a, b); }
 BOLIDE_INLINE lanes magnitude(lanes a) { return abs(a); }
 #endif
+/// Which of the numbers are greater than `than`? They begin at a cache line.
+BOLIDE_INLINE mask above(const std::uint32_t* numbers, std::uint32_t than) {
+#if defined(__AVX512VL__)
+  const __m256i x = _mm256_load_si256(reinterpret_cast<const __m256i*>(numbers));
+  return _mm256_cmpgt_epu32_mask(x, _mm256_set1_epi32(static_cast<int>(than)));
+#else
+  unsigned b = 0;
+  for (int l = 0; l < width; ++l) b |= numbers[l] > than ? 1u << l : 0u;
+  return static_cast<mask>(b);
+#endif
+}
 BOLIDE_INLINE double sum(lanes x) {
   double s = 0;
   for (int l = 0; l < width; ++l) s += x[l];
@@ -228,6 +239,7 @@ private:
     copy_.resize(std::max(copy_.size(), n));
     id_copy_.resize(std::max(id_copy_.size(), n));
     for (std::size_t k = 0; k < columns; ++k) {
+      if (k == ur || k == uz) continue; // made anew in every step
       double* const from = &of[k][begin];
       for (std::size_t i = 0; i < n; ++i) copy_[i] = from[order_[i]];
       std::copy_n(copy_.begin(), n, from);
@@ -277,7 +289,7 @@ private:
       scattered_ = true;
       return;
     }
-    std::array<std::uint32_t, most_rows * most_columns> count{};
+    alignas(64) std::array<std::uint32_t, most_rows * most_columns> count{};
     for (std::size_t i = 0; i < n; i += width)
       store_whole((floor(cells(0, b.begin + i)) - double(low[0])) * double(most_columns) + (floor(cells(1, b.begin + i)) - double(low[1])), &key_[i]);
     for (std::size_t i = 0; i < n; ++i) rank_[i] = count[static_cast<std::size_t>(key_[i])]++;
@@ -293,8 +305,7 @@ private:
       group made{static_cast<std::uint32_t>(b.begin) + at, tile_of[static_cast<std::size_t>(g)], 0, low[0] + g / groups_per_row,
                  low[1] + across * width, last == g - 1 && across != 0};
       for (std::uint32_t rank = 0;; ++rank) {
-        unsigned present = 0;
-        for (int l = 0; l < width; ++l) present |= count[static_cast<std::size_t>(g * width + l)] > rank ? 1u << l : 0u;
+        const unsigned present = above(&count[static_cast<std::size_t>(g * width)], rank);
         if (present == 0) break;
         begin_of_tile_.push_back(at);
         b.tiles.push_back(static_cast<mask>(present));
