@@ -4,6 +4,7 @@
 #include "front.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace tradeoff {
@@ -29,6 +30,21 @@ const row* find(const bolide::advise::table& t, const std::string& problem, cons
   return nullptr;
 }
 
+/// The least cost at which a method reaches the error between two of its runs, or at one; 0: nowhere.
+double cheapest_between(const bolide::advise::table& t, const std::string& problem, double asked) {
+  double least = 0;
+  const auto consider = [&](double cost) { least = least > 0 ? std::min(least, cost) : cost; };
+  for (const row& b : t.rows) {
+    if (b.problem != problem || b.error > asked) continue;
+    consider(b.cost);
+    const row* a = nullptr; // the next coarser run
+    for (const row& r : t.rows)
+      if (r.problem == problem && r.how == b.how && r.cells < b.cells && (!a || r.cells > a->cells)) a = &r;
+    if (a && a->error > asked) consider(b.cost * std::pow(a->cost / b.cost, std::log(asked / b.error) / std::log(a->error / b.error)));
+  }
+  return least;
+}
+
 std::string percent(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2g %%", 100 * x);
@@ -46,7 +62,7 @@ std::vector<task> judge_tasks(const std::vector<problem>& problems) {
   for (std::size_t k = 0; k < problems.size(); ++k) {
     std::vector<task> finest;
     for (const task& t : all)
-      if (t.problem == k && t.how.cells == problems[k].ladder.front() && (t.how.per_axis != 2 || t.how.courant != 0.4)) finest.push_back(t);
+      if (t.problem == k && t.how.cells == problems[k].ladder.front() && (t.how.per_axis != 2 || t.how.courant < 0.4)) finest.push_back(t);
     for (task& t : finest) t.how.cells = problems[k].ladder.back(), all.push_back(t);
   }
   return all;
@@ -56,7 +72,7 @@ std::vector<verdict> judge(const bolide::advise::advisor& ask, const std::vector
   std::vector<verdict> all;
   for (const problem& p : problems)
     for (const double asked : {0.05, 0.02, 0.01}) {
-      verdict v{p.name, asked, ask.for_accuracy({p.kind, p.extent, p.duration, p.tube}, asked)};
+      verdict v{p.name, asked, ask.for_accuracy({p.kind, p.extent, p.duration, p.strength, p.tube}, asked)};
       const auto advised = [&] { return find(judged, p.name, v.given); };
       if (v.given.reaches && !advised()) try {
           judged.rows.push_back(measure(p, settings_of(v.given)));
@@ -67,6 +83,8 @@ std::vector<verdict> judge(const bolide::advise::advisor& ask, const std::vector
         if (r.problem == p.name && r.error <= asked && (!cheapest || r.cost < cheapest->cost)) cheapest = &r;
       if (cheapest) v.cheapest = name_of(*cheapest) + ", " + bolide::to_text(cheapest->cells) + " cells", v.cheapest_cost = cheapest->cost;
       v.right = v.given.reaches ? v.error <= asked && v.cost <= 2 * v.cheapest_cost : !cheapest;
+      v.cheapest_between = cheapest_between(judged, p.name, asked);
+      v.right_between = v.given.reaches ? v.error <= asked && v.cost <= 2 * v.cheapest_between : !cheapest;
       all.push_back(std::move(v));
     }
   return all;
@@ -74,7 +92,7 @@ std::vector<verdict> judge(const bolide::advise::advisor& ask, const std::vector
 
 std::string section(const std::vector<verdict>& all) {
   std::string text = "| problem | asked | advised | predicted | error | CPU s | cheapest that reaches it | CPU s | right |\n|---|---|---|---|---|---|---|---|---|\n";
-  std::size_t right = 0, refused = 0;
+  std::size_t right = 0, right_between = 0, refused = 0;
   for (const verdict& v : all) {
     char line[600];
     if (v.given.reaches)
@@ -84,11 +102,12 @@ std::string section(const std::vector<verdict>& all) {
       std::snprintf(line, sizeof line, "| %s | %s | says: none | %s | | | %s | %.3g | %s |\n", v.problem.c_str(), percent(v.asked).c_str(), percent(v.given.error).c_str(),
                     v.cheapest.empty() ? "none" : v.cheapest.c_str(), v.cheapest_cost, v.right ? "yes" : "**no**");
     text += line;
-    right += v.right;
+    right += v.right, right_between += v.right_between;
     refused += v.right && !v.given.reaches;
   }
-  char line[200];
-  std::snprintf(line, sizeof line, "\n**%zu of %zu right**, %zu of them by saying that nothing measured reaches it.\n", right, all.size(), refused);
+  char line[300];
+  std::snprintf(line, sizeof line, "\n**%zu of %zu right**, %zu of them by saying that nothing measured reaches it. Where the cheapest may lie between two measured resolutions (interpolated): %zu of %zu.\n",
+                right, all.size(), refused, right_between, all.size());
   return text + line;
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Is the advice good? Asked of problems that the table has not seen: for an error of 5, 2 and 1 % the advised composition is run, and so is every measured
 // method at every resolution of the problem's ladder. An answer is right if it reaches the asked error at no more than twice the cost of the cheapest run that
-// does, or says that nothing reaches it where nothing does.
+// does, or says that nothing reaches it where nothing does. The advisor may choose resolutions between those of the ladder; so a harder judge is asked too, whose
+// cheapest may lie between two runs of a method, error and cost interpolated.
 #pragma once
 
 #include "matrix.hpp"
@@ -20,7 +21,8 @@ struct verdict {
   double error = 0, cost = 0;           // of the advised run; 0: none was needed
   std::string cheapest{};               // the cheapest that reaches it; empty: none
   double cheapest_cost = 0;
-  bool right = false;
+  double cheapest_between = 0;          // s, interpolated
+  bool right = false, right_between = false;
 };
 
 /// Every method of the table on every problem at every resolution of its ladder.

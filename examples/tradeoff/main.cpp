@@ -4,7 +4,7 @@
 //   bash examples/run.sh tradeoff                     the matrix (some 15 minutes on one core) to tradeoff_out/: CSV, JSON, pictures, report.html
 //   bash examples/run.sh tradeoff --judge --docs .    and: is the advice good on other problems? and docs/tradeoff.md, include/bolide/advise/measured.hpp
 //   --minutes N     no run is begun after that, the finest are left out (default 60)      --out DIR     results
-//   --from FILE     rows of an earlier tradeoff.csv instead of measuring                  --judged FILE rows of an earlier judge.csv
+//   --from FILE     rows of an earlier tradeoff.csv are not measured again                --judged FILE nor those of an earlier judge.csv
 //   --quick         two kinds of problems, coarse
 // The units: settings and compositions (what is composed), problem_* (what is computed, and its error), matrix (which runs, how often), tables, picture,
 // report, docs (files), judge.
@@ -59,12 +59,16 @@ std::string slug(const std::string& name) {
   return text;
 }
 
-/// Runs the tasks; the rows so far are in `file`, should the program be stopped.
-advise::table measure_all(const std::vector<problem>& problems, const std::vector<task>& tasks, double minutes, const std::filesystem::path& file) {
-  const measured all = run(problems, tasks, minutes, [&](const measured& so_far) { write_csv(file, {so_far.rows, {}}); });
+/// Runs those of the tasks that `known` has no row of; the rows so far are in `file`, should the program be stopped.
+advise::table measure_all(const std::vector<problem>& problems, const std::vector<task>& tasks, double minutes, const std::filesystem::path& file, const advise::table& known) {
+  const auto with_known = [&](std::vector<advise::row> rows) {
+    rows.insert(rows.begin(), known.rows.begin(), known.rows.end());
+    return advise::table{std::move(rows), "this run"};
+  };
+  const measured all = run(problems, missing(problems, tasks, known), minutes, [&](const measured& so_far) { write_csv(file, with_known(so_far.rows)); });
   std::printf("%zu rows in %.0f s of CPU time; %zu runs came to no end, %zu left out for lack of time\n", all.rows.size(), all.seconds, all.failures.size(), all.left_out);
   for (const auto& f : all.failures) std::printf("  no end: %s\n", f.c_str());
-  return {all.rows, "this run"};
+  return with_known(all.rows);
 }
 
 /// What must hold of any run of the matrix: the default composition gains by refinement, and somewhere a choice pays.
@@ -89,7 +93,8 @@ int check(const advise::table& t) {
 int work(const request& r) {
   const std::filesystem::path out = r.out;
   const auto problems = matrix_problems();
-  advise::table t = r.from.empty() ? measure_all(problems, r.quick ? quick_tasks(problems) : all_tasks(problems), r.minutes, out / "tradeoff.csv") : advise::read_table(r.from);
+  const auto read_or_none = [](const std::string& file) { return file.empty() ? advise::table{} : advise::read_table(file); };
+  const advise::table t = measure_all(problems, r.quick ? quick_tasks(problems) : all_tasks(problems), r.minutes, out / "tradeoff.csv", read_or_none(r.from));
   const std::string on = machine();
   write_csv(out / "tradeoff.csv", t);
   write_json(out / "tradeoff.json", t, on);
@@ -101,13 +106,14 @@ int work(const request& r) {
   const advise::advisor ask(advise::read_table(out / "tradeoff.csv"));
   for (const auto& problem : problem_names(t)) {
     const auto& one = *rows_of(t, problem).front();
-    const auto a = ask.for_accuracy({one.kind, one.extent, one.duration, one.tube}, 0.02);
+    const auto a = ask.for_accuracy({one.kind, one.extent, one.duration, one.strength, one.tube}, 0.02);
     std::printf("2 %% in %s: %s on %g cells, %.2g s, %.0f %% sure; %s\n", problem.c_str(), name(a.how).c_str(), a.cells, a.cost, 100 * a.sure, a.why.c_str());
   }
   std::string judged;
   if (r.judge) {
     const auto others = judge_problems();
-    advise::table others_rows = r.judged.empty() ? measure_all(others, judge_tasks(others), r.minutes, out / "judge.csv") : advise::read_table(r.judged);
+    advise::table others_rows = measure_all(others, judge_tasks(others), r.minutes, out / "judge.csv", read_or_none(r.judged));
+    write_csv(out / "judge.csv", others_rows);
     const auto verdicts = judge(ask, others, others_rows);
     write_csv(out / "judge.csv", others_rows);
     judged = section(verdicts);

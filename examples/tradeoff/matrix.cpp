@@ -58,8 +58,9 @@ std::vector<task> all_tasks(const std::vector<problem>& problems) {
       if (rung >= ladder.size()) continue;
       for (std::size_t c = 0; c < number_of_compositions; ++c) {
         all.push_back({k, base(c, ladder[rung])});
-        if (rung + 1 < ladder.size() && (c == 0 || c == 3 || c == default_composition))
-          for (const auto& s : variations(problems[k], all.back().how)) all.push_back({k, s});
+        if (c != 0 && c != 3 && c != default_composition) continue;
+        for (const auto& s : variations(problems[k], all.back().how))
+          if (rung + 1 < ladder.size() || s.courant > 0.4) all.push_back({k, s});
       }
     }
   return all;
@@ -74,6 +75,23 @@ std::vector<task> quick_tasks(const std::vector<problem>& problems) {
   return all;
 }
 
+namespace {
+bolide::advise::method method_of(const settings& s) {
+  const composition& c = compositions[s.composition];
+  return {std::string(c.shape), std::string(c.transfer), std::string(c.scheme), std::string(c.precision), s.per_axis, s.courant, s.table};
+}
+} // namespace
+
+std::vector<task> missing(const std::vector<problem>& problems, const std::vector<task>& tasks, const bolide::advise::table& known) {
+  std::vector<task> all;
+  for (const task& t : tasks)
+    if (std::none_of(known.rows.begin(), known.rows.end(), [&](const auto& r) {
+          return r.problem == problems[t.problem].name && r.cells == t.how.cells && r.skip == t.how.skip && r.how == method_of(t.how);
+        }))
+      all.push_back(t);
+  return all;
+}
+
 bolide::advise::row measure(const problem& p, const settings& s) {
   std::vector<double> costs;
   outcome first;
@@ -83,9 +101,7 @@ bolide::advise::row measure(const problem& p, const settings& s) {
     if (o.error != first.error) throw failed_run{"the error changed from one repeat to the next"};
     costs.push_back(o.cost);
   }
-  const composition& c = compositions[s.composition];
-  const bolide::advise::method how{std::string(c.shape), std::string(c.transfer), std::string(c.scheme), std::string(c.precision), s.per_axis, s.courant, s.table};
-  bolide::advise::row r{p.name, p.kind, p.extent, p.duration, p.tube, how, s.skip, s.cells, first.error, quantile(costs, 0.5), spread_of(costs), static_cast<int>(costs.size()), first.steps,
+  bolide::advise::row r{p.name, p.kind, p.extent, p.duration, p.strength, p.tube, method_of(s), s.skip, s.cells, first.error, quantile(costs, 0.5), spread_of(costs), static_cast<int>(costs.size()), first.steps,
                         static_cast<double>(first.particles), first.particle_steps};
   bolide::advise::validate(r, p.name + ", " + name(s));
   return r;

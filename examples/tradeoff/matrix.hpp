@@ -21,7 +21,8 @@ struct task {
 };
 
 /// Every composition at every resolution, and the axes that are set at run time (particles per cell, CFL, table, skipping) for one fast, one exact and one
-/// noisy composition at all resolutions but the finest. The coarse ones come first: what a time limit leaves out are the finest.
+/// noisy composition at all resolutions but the finest, where of them only CFL 0.8 is run: does it hold? The coarse ones come first: what a time limit leaves
+/// out are the finest.
 std::vector<task> all_tasks(const std::vector<problem>& problems);
 /// A few cheap ones.
 std::vector<task> quick_tasks(const std::vector<problem>& problems);
@@ -32,6 +33,9 @@ struct measured {
   std::size_t left_out = 0;          // tasks that the time limit left out
   double seconds = 0;                // of CPU, all of it
 };
+
+/// Those that `known` has no row of.
+std::vector<task> missing(const std::vector<problem>& problems, const std::vector<task>& tasks, const bolide::advise::table& known);
 
 /// Runs the tasks. What failed is noted, not measured. `keep`: called with the rows so far, every ten seconds of CPU time or so.
 measured run(const std::vector<problem>& problems, const std::vector<task>& tasks, double most_minutes, const std::function<void(const measured&)>& keep);

@@ -80,12 +80,14 @@ outcome measure_sphere(const elastic_sphere& b, const settings& s) {
 problem sphere_problem(std::string name, const elastic_sphere& b) {
   const double period = 2 * std::numbers::pi / (root_of(b) / b.radius * b.longitudinal_speed());
   return {std::move(name), "wave", "relative error of the period, and what the amplitude changed in one period", b.radius, std::numbers::pi / 4,
-          2 * period * b.longitudinal_speed() / b.radius, false, false, {8, 16, 32, 64}, [b](const settings& s) { return measure_sphere(b, s); }};
+          2 * period * b.longitudinal_speed() / b.radius, b.poisson, false, false, {8, 16, 32, 64}, [b](const settings& s) { return measure_sphere(b, s); }};
 }
 } // namespace
 
 problem breathing_aluminium() { return sphere_problem("breathing sphere, aluminium", {70e9, 0.33, 2700, 4.765e-3}); }
 problem breathing_lead() { return sphere_problem("breathing sphere, lead", {16e9, 0.44, 11340, 10e-3}); }
+problem breathing_glass() { return sphere_problem("breathing sphere, glass", {72e9, 0.22, 2500, 5e-3}); }
+problem breathing_tungsten() { return sphere_problem("breathing sphere, tungsten", {400e9, 0.26, 19300, 3e-3}); }
 problem breathing_steel() { return sphere_problem("breathing sphere, steel", {205e9, 0.29, 7830, 7e-3}); }
 
 } // namespace tradeoff

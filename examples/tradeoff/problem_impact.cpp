@@ -71,7 +71,7 @@ problem paper_impact() {
   const auto reference = std::make_shared<std::array<double, 5>>();
   const double area = (diameter * diameter * std::acos(-1) / 8 + plate_radius * thickness) / (thickness * thickness);
   return {"the paper's impact", "impact", "mean relative deviation of length, width, hole, front speed and momentum of the cloud, against cells of 0.05 mm", thickness, area,
-          end * (5400 + speed) / thickness, false, true, {5.5, 11, 22}, [reference](const settings& s) {
+          end * (5400 + speed) / thickness, speed / 5400, false, true, {5.5, 11, 22}, [reference](const settings& s) {
             if ((*reference)[0] == 0) *reference = run({.cells = 44}).measures;
             cloud c = run(s);
             for (std::size_t k = 0; k < 5; ++k) c.costs.error += std::abs(c.measures[k] / (*reference)[k] - 1) / 5;

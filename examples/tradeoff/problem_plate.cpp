@@ -36,6 +36,7 @@ problem plate_problem(std::string name, const plate_figures& f, double sound_spe
           shocked_length,
           2 * f.slab / shocked_length,
           f.end * (sound_speed_behind + f.speed) / shocked_length,
+          f.shock.particle_speed / f.shock.shock_speed,
           true,
           false,
           {25, 50, 100, 200, 400},

@@ -53,7 +53,7 @@ shape_of_bar run(const bar& b, const settings& s) {
 problem bar_problem(std::string name, const bar& b) {
   const double sound = b.eos.c0 * 1.15; // with the shear modulus of a metal
   problem p{std::move(name), "plasticity", "mean relative error of length, foot and diameter at 0.2 of the length, against 32 cells per radius", b.radius,
-            b.length / b.radius, b.end * sound / b.radius, false, false, {2, 4, 8, 16}, {}};
+            b.length / b.radius, b.end * sound / b.radius, b.eos.rho0 * square(b.speed) / b.strength.yield, false, false, {2, 4, 8, 16}, {}};
   const auto reference = std::make_shared<std::array<double, 3>>();
   p.measure = [b, reference](const settings& s) {
     if ((*reference)[0] == 0) *reference = run(b, {.composition = 3, .cells = reference_cells}).measures;
@@ -70,6 +70,12 @@ problem taylor_copper() {
 }
 problem taylor_steel() {
   return bar_problem("Taylor bar, steel at 300 m/s", {{.rho0 = 7830, .c0 = 3574, .s = 1.92, .gamma0 = 1.69}, {81.8e9, 792e6, 510e6}, 3.8e-3, 25.4e-3, 300, 60e-6});
+}
+problem taylor_steel_slow() {
+  return bar_problem("Taylor bar, steel at 200 m/s", {{.rho0 = 7830, .c0 = 3574, .s = 1.92, .gamma0 = 1.69}, {81.8e9, 792e6, 510e6}, 3.8e-3, 25.4e-3, 200, 50e-6});
+}
+problem taylor_iron() {
+  return bar_problem("Taylor bar, iron at 220 m/s", {{.rho0 = 7850, .c0 = 3574, .s = 1.92, .gamma0 = 1.69}, {80e9, 350e6, 400e6}, 4e-3, 30e-3, 220, 70e-6});
 }
 problem taylor_aluminium() {
   return bar_problem("Taylor bar, aluminium at 250 m/s", {{.rho0 = 2785, .c0 = 5328, .s = 1.338, .gamma0 = 2}, {27.6e9, 265e6, 300e6}, 3e-3, 24e-3, 250, 50e-6});

@@ -6,6 +6,8 @@
 //   length        m, what `settings::cells` counts: cell = length / cells
 //   extent        how much material: its area in the r-z plane over length^2, or, in a tube of four cells' width, its length over `length`
 //   duration      time x fastest speed (sound + material) over length: what steps are counted by
+//   strength      what tells problems of one kind apart: share of volume that a shock takes; rho v^2/Y of a bar; Poisson's ratio of a sphere; dimensions that gas
+//                 converges in; speed over sound speed of an impact
 //   ladder        cells of the matrix, coarse to fine, each twice the one before
 // The judge's problems are not in the matrix: the table that the advisor reads has never seen them.
 #pragma once
@@ -18,7 +20,7 @@ namespace tradeoff {
 
 struct problem {
   std::string name, kind, measure_text;
-  double length = 0, extent = 0, duration = 0;
+  double length = 0, extent = 0, duration = 0, strength = 1;
   bool tube = false, has_table = false;
   std::vector<double> ladder{};
   std::function<outcome(const settings&)> measure{}; // throws failed_run
@@ -27,11 +29,14 @@ struct problem {
 // in the matrix
 problem plate_impact_paper();   // the paper's equation of state, 6.64 km/s
 problem plate_impact_steel();   // Mie-Grueneisen, 3 km/s
+problem plate_impact_fast();    // Mie-Grueneisen aluminium, 12 km/s
 problem noh_sphere();           // an ideal gas falls into one point
 problem taylor_copper();        // 190 m/s
 problem taylor_steel();         // 300 m/s
+problem taylor_steel_slow();    // 200 m/s
 problem breathing_aluminium();
 problem breathing_lead();
+problem breathing_glass();
 problem paper_impact();         // the paper's case
 
 // for the judge
@@ -41,6 +46,9 @@ problem noh_cylinder();         // falls onto a line
 problem taylor_aluminium();     // 250 m/s, a slender bar
 problem breathing_steel();
 problem sod_tube();
+problem plate_impact_tungsten(); // Mie-Grueneisen, 4 km/s
+problem taylor_iron();          // 220 m/s
+problem breathing_tungsten();
 
 std::vector<problem> matrix_problems();
 std::vector<problem> judge_problems();

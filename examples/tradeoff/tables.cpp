@@ -33,7 +33,7 @@ template <class F> void each_value(const bolide::advise::row& r, F&& f) {
   const auto put = [&](const auto& x) { f(bolide::advise::column_names[k++], x); };
   put(r.problem), put(r.kind), put(r.extent), put(r.duration), put(int(r.tube));
   put(r.how.shape), put(r.how.transfer), put(r.how.scheme), put(r.how.precision), put(r.how.per_axis), put(r.how.courant), put(int(r.how.table));
-  put(int(r.skip)), put(r.cells), put(r.error), put(r.cost), put(r.spread), put(r.repeats), put(r.steps), put(r.particles), put(r.particle_steps);
+  put(int(r.skip)), put(r.cells), put(r.error), put(r.cost), put(r.spread), put(r.repeats), put(r.steps), put(r.particles), put(r.particle_steps), put(r.strength);
 }
 } // namespace
 

@@ -7,7 +7,8 @@
 // A row's `cells` count the problem's characteristic length (examples/tradeoff/problems.hpp says which); extent and duration say how large the problem is:
 //   particles  ~ extent cells^2 per_axis^2   (extent: area in the plane over length^2;  tube: 4 extent cells per_axis^2, extent: length over length)
 //   steps      ~ duration cells / courant    (duration: time x fastest speed over length)
-// so that cost carries over to a scene of another size.
+// so that cost carries over to a scene of another size. `strength` is the number that tells problems of one kind apart (of a shock the share of volume that it
+// takes, of a bar rho v^2/Y, ...); errors are taken to go with a power of it.
 #pragma once
 
 #include "bolide/core/contract.hpp"
@@ -37,7 +38,7 @@ inline std::string name(const method& m) {
 
 struct row {
   std::string problem, kind;
-  double extent = 0, duration = 0;
+  double extent = 0, duration = 0, strength = 1;
   bool tube = false;
   method how;
   bool skip = true; // what is at rest is left out
@@ -51,7 +52,7 @@ struct row {
 /// The same in the form that the compiled-in table has.
 struct compact_row {
   const char *problem, *kind;
-  double extent, duration;
+  double extent, duration, strength;
   bool tube;
   const char *shape, *transfer, *scheme, *precision;
   int per_axis;
@@ -70,7 +71,7 @@ struct table {
 
 inline constexpr const char* column_names[] = {"problem",  "kind",       "extent (1)", "duration (1)", "tube", "shape",     "transfer",  "scheme",    "precision", "per_axis",
                                                "courant",  "eos_table",  "skip",       "cells",        "error (1)",         "cost (s)",  "spread (1)", "repeats",  "steps", "particles",
-                                               "particle_steps"};
+                                               "particle_steps", "strength (1)"};
 inline constexpr std::size_t number_of_columns = sizeof column_names / sizeof column_names[0];
 
 /// Refuses a row that no measurement gives.
@@ -79,6 +80,7 @@ inline void validate(const row& r, const std::string& where) {
   require(!r.problem.empty() && !r.kind.empty(), where + ": length of the names of problem and kind", 0, "at least 1");
   positive("extent", r.extent);
   positive("duration", r.duration);
+  positive("strength", r.strength);
   positive("cells", r.cells);
   positive("error", r.error);
   positive("cost", r.cost, "s");
@@ -131,7 +133,7 @@ inline table parse_table(std::string_view text, const std::string& source) {
       if (!bolide::text::parse_number(word(k), x)) throw bad_parameter(where + ", " + column_names[k] + ": expected a number, found " + bolide::text::shown(word(k)));
       return x;
     };
-    row r{word(0), word(1), value(2), value(3), value(4) != 0, {word(5), word(6), word(7), word(8), static_cast<int>(value(9)), value(10), value(11) != 0},
+    row r{word(0), word(1), value(2), value(3), value(21), value(4) != 0, {word(5), word(6), word(7), word(8), static_cast<int>(value(9)), value(10), value(11) != 0},
           value(12) != 0, value(13), value(14), value(15), value(16), static_cast<int>(value(17)), static_cast<long>(value(18)), value(19), value(20)};
     validate(r, where);
     t.rows.push_back(std::move(r));
@@ -145,7 +147,7 @@ inline table read_table(const std::string& path) { return parse_table(bolide::te
 template <std::size_t N> table expand(const compact_row (&rows)[N], std::string source) {
   table t{{}, std::move(source)};
   for (const compact_row& r : rows)
-    t.rows.push_back({r.problem, r.kind, r.extent, r.duration, r.tube, {r.shape, r.transfer, r.scheme, r.precision, r.per_axis, r.courant, r.table}, r.skip, r.cells, r.error, r.cost,
+    t.rows.push_back({r.problem, r.kind, r.extent, r.duration, r.strength, r.tube, {r.shape, r.transfer, r.scheme, r.precision, r.per_axis, r.courant, r.table}, r.skip, r.cells, r.error, r.cost,
                       r.spread, r.repeats, r.steps, r.particles, r.particle_steps});
   return t;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The advisor on a table made up for it, whose answers are known by arithmetic; its refusals; reading CSV.
 #include "bolide/advise/advisor.hpp"
+#include "bolide/core/math.hpp"
 
 #include <gtest/gtest.h>
 
@@ -36,6 +37,15 @@ const scene same{.kind = "wave", .extent = 1, .duration = 1};
 const double between = std::sqrt(1.5); // the geometric mean of the two problems over the easier one
 const double s = std::log(1.5) / std::sqrt(2.0) * std::sqrt(1.5); // standard deviation of two logarithms ln 1.5 apart, of a third one's distance from their mean
 
+/// cells is the first resolution with whole particles at which c/cells^order falls to `error`: less than a sixth (or one particle) too fine.
+void just_fine_enough(const advice& a, double c, double order, double error) {
+  const double exact = std::pow(c / error, 1 / order);
+  EXPECT_GE(a.cells, exact * (1 - 1e-9));
+  EXPECT_LE(a.cells, std::max(exact * 7.0 / 6 + 0.5, exact + 0.5));
+  EXPECT_NEAR(a.cells * a.how.per_axis, std::round(a.cells * a.how.per_axis), 1e-9);
+  EXPECT_NEAR(a.error, c / std::pow(a.cells, order), 1e-9);
+}
+
 TEST(Advisor, TakesTheCheapestThatReaches) {
   const advisor ask(made_up());
   const auto rough = ask.for_accuracy(same, 0.0491, 0.5); // `cheap` on 8 cells: 4.90 %
@@ -43,45 +53,57 @@ TEST(Advisor, TakesTheCheapestThatReaches) {
   EXPECT_EQ(rough.cells, 8);
   EXPECT_NEAR(rough.cost, 1e-6 * 512, 1e-12);
   EXPECT_NE(ask.for_accuracy(same, 0.0489, 0.5).how, cheap);
-  const auto fine = ask.for_accuracy(same, 0.02, 0.5); // good on 64 cells: 1.5 %, 0.52 s; best on 32: 0.77 %, 0.13 s
+  const auto fine = ask.for_accuracy(same, 0.02, 0.5); // good on 49 cells: 0.24 s; best on 20: 0.03 s
   EXPECT_EQ(fine.how, best);
-  EXPECT_EQ(fine.cells, 32);
-  EXPECT_NEAR(fine.error, 6.4 * between / 1024, 1e-12);
+  just_fine_enough(fine, 6.4 * between, 2, 0.02);
+  EXPECT_NEAR(fine.cost, 4e-6 * std::pow(fine.cells, 3), 1e-9);
   EXPECT_TRUE(fine.reaches);
   EXPECT_FALSE(fine.beyond);
-  EXPECT_NE(fine.why.find("2 problems of kind wave: easy 0.625 %, hard 0.93"), std::string::npos) << fine.why;
+  EXPECT_NE(fine.why.find("the cheapest of 2 methods, of 3, that reach 2 % with 50 % confidence, by the 2 problems of kind wave: easy "), std::string::npos) << fine.why;
 }
 
 TEST(Advisor, GoesTwiceAsFineByTheOrderAndNoFurther) {
   const advisor ask(made_up());
-  const auto finer = ask.for_accuracy(same, 0.001, 0.5); // best on 64 cells: 0.19 %; on 128, by its order of 2: 0.048 %
+  const auto finer = ask.for_accuracy(same, 0.001, 0.5);
   EXPECT_EQ(finer.how, best);
-  EXPECT_EQ(finer.cells, 128);
-  EXPECT_NEAR(finer.error, 6.4 * between / 128 / 128, 1e-12);
-  EXPECT_NEAR(finer.cost, 4e-6 * 128 * 128 * 128, 1e-9);
+  just_fine_enough(finer, 6.4 * between, 2, 0.001); // 88.5 cells
+  EXPECT_NEAR(finer.cost, 4e-6 * std::pow(finer.cells, 3), 1e-6);
   EXPECT_TRUE(finer.beyond && finer.reaches);
   const auto too_fine = ask.for_accuracy(same, 1e-4);
   EXPECT_FALSE(too_fine.reaches);
   EXPECT_EQ(too_fine.cells, 128);
   EXPECT_LT(too_fine.sure, 0.02);
-  EXPECT_NE(too_fine.why.find("none of 15 points reaches 0.01 %"), std::string::npos) << too_fine.why;
+  EXPECT_NE(too_fine.why.find("none of 3 methods reaches 0.01 %"), std::string::npos) << too_fine.why;
 }
 
 TEST(Advisor, IsAsSureAsTheProblemsAgree) {
   const advisor ask(made_up());
   EXPECT_NEAR(ask.scatter("wave"), std::log(1.5) / std::sqrt(2.0), 1e-12);
+  EXPECT_EQ(ask.exponent("wave"), 0); // both problems have strength 1
   const auto a = ask.for_accuracy(same, 0.02);
   EXPECT_NEAR(a.sure, 0.5 * std::erfc(-std::log(0.02 / a.error) / s / std::sqrt(2.0)), 1e-12);
-  EXPECT_GT(a.sure, advisor::usual_confidence);
-  // more confidence is finer, and at 50 % the predicted error is the asked one
-  const double median = 6.4 * between / 256;
-  EXPECT_EQ(ask.for_accuracy(same, median * 1.001, 0.5).cells, 16);
-  EXPECT_NEAR(ask.for_accuracy(same, median * 1.001, 0.5).sure, 0.5, 2e-3);
-  EXPECT_EQ(ask.for_accuracy(same, median * 1.001, 0.8).cells, 32);
+  EXPECT_GE(a.sure, advisor::usual_confidence);
+  just_fine_enough(a, 6.4 * between, 2, 0.02 / std::exp(0.8416212 * s)); // the normal distribution has 80 % below 0.84 deviations
+  EXPECT_GT(ask.for_accuracy(same, 0.02, 0.95).cells, a.cells);
   // alone, a problem says nothing of its scatter: that of all kinds
   auto t = made_up();
   add(t, "lonely", "shock", good, 1, 1, 1e-6);
   EXPECT_EQ(advisor(t).scatter("shock"), ask.scatter("wave"));
+}
+
+TEST(Advisor, TakesThePowerOfTheStrengthOut) {
+  auto t = made_up(); // errors of "hard" are 1.5 times those of "easy": at twice the strength that is a power of log2(1.5), and no scatter
+  for (row& r : t.rows) r.strength = r.problem == "hard" ? 2 : 1;
+  const advisor ask(t);
+  EXPECT_NEAR(ask.exponent("wave"), std::log2(1.5), 1e-12);
+  EXPECT_EQ(ask.scatter("wave"), 0.1); // the least
+  scene middle = same;
+  middle.strength = std::sqrt(2.0);
+  EXPECT_NEAR(ask.for_accuracy(middle, 0.02, 0.5).error * square(ask.for_accuracy(middle, 0.02, 0.5).cells), 6.4 * between, 1e-9);
+  scene weak = same, far = same; // no further than 1.5 times beyond what was measured
+  weak.strength = 1 / 1.5, far.strength = 0.01;
+  EXPECT_EQ(ask.for_accuracy(far, 0.02).cells, ask.for_accuracy(weak, 0.02).cells);
+  EXPECT_THROW((void)ask.for_accuracy({.kind = "wave", .extent = 1, .duration = 1, .strength = 0}, 0.1), bad_parameter);
 }
 
 TEST(Advisor, CarriesCostToAnotherScene) {
@@ -96,9 +118,10 @@ TEST(Advisor, CarriesCostToAnotherScene) {
 
 TEST(Advisor, FillsABudget) {
   const advisor ask(made_up());
-  const auto a = ask.for_budget(same, 0.2); // best: cells = (0.2/4e-6)^(1/3) = 36.8
+  const auto a = ask.for_budget(same, 0.2); // best: no more than (0.2/4e-6)^(1/3) = 36.8 cells
   EXPECT_EQ(a.how, best);
-  EXPECT_NEAR(a.cells, std::cbrt(0.2 / 4e-6), 1e-6);
+  EXPECT_LE(a.cells, std::cbrt(0.2 / 4e-6));
+  EXPECT_GE(a.cells, std::cbrt(0.2 / 4e-6) * 6 / 7 - 0.5);
   EXPECT_NEAR(a.error, 6.4 * between / a.cells / a.cells, 1e-9);
   EXPECT_LE(a.cost, 0.2 * (1 + 1e-9));
   const auto poor = ask.for_budget(same, 1e-5);
@@ -149,7 +172,7 @@ TEST(Advisor, RefusesWithASentence) {
 
 /// The text of a CSV file with one row that `change` may spoil.
 template <class F> std::string csv(F&& change) {
-  std::vector<std::string> cells = {"bar, long", "plasticity", "6.7", "95", "0", "bspline", "flip", "usf", "double", "2", "0.4", "0", "1", "8", "0.004", "0.28", "0.01", "3", "1200", "4000", "5e6"};
+  std::vector<std::string> cells = {"bar, long", "plasticity", "6.7", "95", "0", "bspline", "flip", "usf", "double", "2", "0.4", "0", "1", "8", "0.004", "0.28", "0.01", "3", "1200", "4000", "5e6", "0.7"};
   change(cells);
   std::string text;
   for (const char* name : column_names) text += std::string(text.empty() ? "" : ",") + name;
@@ -167,6 +190,7 @@ TEST(AdviseTable, ReadsWhatTheExampleWrites) {
   EXPECT_EQ(r.cells, 8);
   EXPECT_EQ(r.error, 0.004);
   EXPECT_EQ(r.steps, 1200);
+  EXPECT_EQ(r.strength, 0.7);
   EXPECT_TRUE(r.skip && !r.tube);
   const std::string path = testing::TempDir() + "bolide_advise.csv";
   std::ofstream(path) << csv([](auto&) {});
@@ -184,7 +208,7 @@ TEST(AdviseTable, RefusesBadFiles) {
   EXPECT_NE(message("a,b\n1,2\n").find("has no column \"problem\""), std::string::npos);
   EXPECT_NE(message(csv([](auto& c) { c[14] = "small"; })).find("'own.csv' line 2, error (1): expected a number, found 'small'"), std::string::npos);
   EXPECT_NE(message(csv([](auto& c) { c[14] = "-1"; })).find("error = -1: must be positive"), std::string::npos);
-  EXPECT_NE(message(csv([](auto& c) { c.pop_back(); })).find("has 20 cells, the header 21"), std::string::npos);
+  EXPECT_NE(message(csv([](auto& c) { c.pop_back(); })).find("has 21 cells, the header 22"), std::string::npos);
   EXPECT_NE(message(csv([](auto& c) { c[9] = "40"; })).find("per_axis = 40: must be 1 to 16"), std::string::npos);
   const std::string whole = csv([](auto&) {});
   EXPECT_NE(message(whole.substr(0, whole.find('\n') + 1)).find("rows of 'own.csv' = 0"), std::string::npos);
