@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The command line (CLI11) and the config file.
+#include "advice.hpp"
 #include "options.hpp"
 
 #include "bolide/core/contract.hpp"
@@ -35,6 +36,11 @@ request read_command_line(int argc, char** argv) {
       ->group("Output");
   app.add_flag("--compare", compare, "all six equations of state and the experiment, side by side")->group("Output");
   app.add_flag("--quick", quick, "coarse: spacing 0.1mm, cell 0.2mm, one frame (what is given goes before)")->group("Output");
+  wish w;
+  const auto advised = [&](const char* name, std::string& to, const char* value, const char* help) { app.add_option(name, to, help)->type_name(value)->group("Discretisation"); };
+  advised("--accuracy", w.accuracy, "SHARE", "the cheapest measured discretisation that reaches this error (1% or 0.01); what is given besides is kept");
+  advised("--budget", w.budget, "TIME", "the most accurate measured discretisation within this CPU time (10s)");
+  advised("--preset", w.preset, "draft|standard|reference", "the cheapest within 5 %, within 2 %, or the most accurate measured");
   app.add_flag("--list-materials", list, "print the materials and what they have parameters for");
 
   request r;
@@ -58,6 +64,11 @@ request read_command_line(int argc, char** argv) {
     r.chosen.compare = compare;
     if (compare && app.count("--eos") > 0)
       throw bolide::bad_parameter("--eos = '" + r.chosen.eos + "': --compare runs all equations of state; leave one of them away");
+    if (quick && w.any()) throw bolide::bad_parameter("--quick: is a discretisation too; leave it or --accuracy, --budget and --preset away");
+    if (w.any()) {
+      const std::string said = take_advice(r.chosen, w, [&](std::string_view name) { return app.count("--" + std::string(name)) > 0; });
+      std::cerr << "aluminium_impact: " << said << "\n";
+    }
     if (r.chosen.ensemble > 1 && r.chosen.jitter == 0) r.chosen.jitter = 0.1;
     check(r.chosen);
   } catch (const bolide::bad_parameter& e) {

@@ -9,7 +9,7 @@
 //
 // Error of a method on n cells per length: e_p (x/x_p)^b, the geometric mean over the measured problems p of the scene's kind, x their and the scene's strength.
 // b is one number per kind: the median of the slopes of ln e over ln x of all methods and resolutions; x is taken no further than 1.5 times beyond those measured.
-// Between measured resolutions ln e is linear in ln n; beyond the finest it goes on with the lesser of the orders fitted to all resolutions and to the last two,
+// A coarser run that happened to be better than a finer one of its method counts as no better. Between measured resolutions ln e is linear in ln n; beyond the finest it goes on with the lesser of the orders fitted to all resolutions and to the last two,
 // and no further than twice as fine.
 // Cost: that measured, scaled by particles and steps of the scene (table.hpp), the geometric mean over the problems; on the machine of the table, one thread.
 // Accuracies and budgets are answered at resolutions with a whole number of particles per length, measured or between.
@@ -59,7 +59,10 @@ public:
     for (const row& r : table_.rows)
       if (r.skip) add(r);
     require(!curves_.empty(), "rows of '" + table_.source + "' with skipping", 0, "at least 1");
-    for (curve& c : curves_) std::sort(c.points.begin(), c.points.end(), [](const point& a, const point& b) { return a.cells < b.cells; });
+    for (curve& c : curves_) {
+      std::sort(c.points.begin(), c.points.end(), [](const point& a, const point& b) { return a.cells < b.cells; });
+      for (std::size_t k = c.points.size() - 1; k-- > 0;) c.points[k].error = std::max(c.points[k].error, c.points[k + 1].error); // what a coarser run has less is luck
+    }
     learn();
   }
 

@@ -91,6 +91,16 @@ TEST(Advisor, IsAsSureAsTheProblemsAgree) {
   EXPECT_EQ(advisor(t).scatter("shock"), ask.scatter("wave"));
 }
 
+TEST(Advisor, DoesNotBelieveInLuck) {
+  table t{{}, "made up"};
+  add(t, "one", "wave", good, 0.8, 1, 2e-6);
+  t.rows.front().error = 1e-4; // on 8 cells, where 16 have 5 %
+  const advisor ask(t);
+  EXPECT_EQ(ask.for_accuracy(same, 0.0501, 0.5).cells, 8);
+  EXPECT_NEAR(ask.for_accuracy(same, 0.0501, 0.5).error, 0.05, 1e-12);
+  EXPECT_GT(ask.for_accuracy(same, 0.04, 0.5).cells, 16);
+}
+
 TEST(Advisor, TakesThePowerOfTheStrengthOut) {
   auto t = made_up(); // errors of "hard" are 1.5 times those of "easy": at twice the strength that is a power of log2(1.5), and no scatter
   for (row& r : t.rows) r.strength = r.problem == "hard" ? 2 : 1;
