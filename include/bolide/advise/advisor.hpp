@@ -308,10 +308,12 @@ private:
     for (const curve* c : of) cells = std::max(cells, c->points.front().cells);
     return cells;
   }
+  /// That most of the problems were measured on (a problem that was not goes on with its order).
   static double finest(const std::vector<const curve*>& of) {
-    double cells = std::numeric_limits<double>::infinity();
-    for (const curve* c : of) cells = std::min(cells, c->points.back().cells);
-    return cells;
+    std::vector<double> cells;
+    for (const curve* c : of) cells.push_back(c->points.back().cells);
+    std::sort(cells.begin(), cells.end());
+    return cells[(cells.size() - 1) / 2];
   }
   /// From the coarsest measured to twice the finest in steps of a sixth or less where whole numbers of particles per length allow it, and the measured ones.
   std::vector<double> resolutions(const std::string& kind, const method& how) const {
