@@ -17,6 +17,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace bolide {
@@ -131,8 +133,13 @@ template <class T, class Space, class Shape, class Transfer> struct kernels {
       for (int i = 0; i < dim * dim; ++i) squeeze(g[i], t.lanes, l[i] + k);
       if constexpr (Space::hoop) squeeze(hoop, t.lanes, l[dim * dim] + k);
     });
-    if constexpr (Space::hoop)
-      for (int k = 0; k < c.n; k += lane_width<V>) store(load<V>(l[dim * dim] + k) * load<V>(inverse_r + k), l[dim * dim] + k);
+    if constexpr (Space::hoop) { // so near to the axis that sum N_t v_r is round-off of its terms, v_r / r is dv_r/dr
+      const V too_near(c.inverse_h / std::sqrt(std::numeric_limits<T>::epsilon()));
+      for (int k = 0; k < c.n; k += lane_width<V>) {
+        const V inverse = load<V>(inverse_r + k);
+        store(select(inverse > too_near, load<V>(l[0] + k), load<V>(l[dim * dim] + k) * inverse), l[dim * dim] + k);
+      }
+    }
   }
 
   /// sum N b of N values b of the nodes.

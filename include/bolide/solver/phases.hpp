@@ -17,6 +17,7 @@
 #include "bolide/grid/moving_wall.hpp"
 #include "bolide/grid/periodic.hpp"
 #include "bolide/grid/sparse.hpp"
+#include "bolide/material/material.hpp"
 #include "bolide/solver/body_force.hpp"
 #include "bolide/solver/kernels.hpp"
 #include "bolide/solver/ledger.hpp"
