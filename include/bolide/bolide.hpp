@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The umbrella for users: every header of bolide::bolide, in alphabetical order. No library header includes it; gsl/, hdf5/ and png/ are optional
-// targets and are included on their own. Costs about 2 s of parsing beside Eigen: a program that composes one solver is quicker with those it
+// The umbrella for users: every header of bolide::bolide, in alphabetical order, but the table of measurements (advise/measured.hpp, 160 kB). No
+// library header includes it; gsl/, hdf5/ and png/ are optional targets and are included on their own. Costs about 2 s of parsing beside Eigen: a program that composes one solver is quicker with those it
 // names (README, examples/own_eos).
 #pragma once
 
