@@ -26,12 +26,12 @@ namespace bolide {
 
 namespace detail {
 template <class T, int W> struct simd_register; // g++ refuses a vector_size that depends on a template parameter
-template <> struct simd_register<double, 2> { using ints __attribute__((vector_size(8))) = std::int32_t; using value __attribute__((vector_size(16))) = double; using bits __attribute__((vector_size(16))) = std::int64_t; };
-template <> struct simd_register<double, 4> { using ints __attribute__((vector_size(16))) = std::int32_t; using value __attribute__((vector_size(32))) = double; using bits __attribute__((vector_size(32))) = std::int64_t; };
-template <> struct simd_register<double, 8> { using ints __attribute__((vector_size(32))) = std::int32_t; using value __attribute__((vector_size(64))) = double; using bits __attribute__((vector_size(64))) = std::int64_t; };
-template <> struct simd_register<float, 4> { using ints __attribute__((vector_size(16))) = std::int32_t; using value __attribute__((vector_size(16))) = float; using bits __attribute__((vector_size(16))) = std::int32_t; };
-template <> struct simd_register<float, 8> { using ints __attribute__((vector_size(32))) = std::int32_t; using value __attribute__((vector_size(32))) = float; using bits __attribute__((vector_size(32))) = std::int32_t; };
-template <> struct simd_register<float, 16> { using ints __attribute__((vector_size(64))) = std::int32_t; using value __attribute__((vector_size(64))) = float; using bits __attribute__((vector_size(64))) = std::int32_t; };
+template <> struct simd_register<double, 2> { using ints __attribute__((vector_size(8))) = std::int32_t; using value __attribute__((vector_size(16))) = double; using bits __attribute__((vector_size(16))) = std::int64_t; using words __attribute__((vector_size(16))) = std::uint64_t; };
+template <> struct simd_register<double, 4> { using ints __attribute__((vector_size(16))) = std::int32_t; using value __attribute__((vector_size(32))) = double; using bits __attribute__((vector_size(32))) = std::int64_t; using words __attribute__((vector_size(32))) = std::uint64_t; };
+template <> struct simd_register<double, 8> { using ints __attribute__((vector_size(32))) = std::int32_t; using value __attribute__((vector_size(64))) = double; using bits __attribute__((vector_size(64))) = std::int64_t; using words __attribute__((vector_size(64))) = std::uint64_t; };
+template <> struct simd_register<float, 4> { using ints __attribute__((vector_size(16))) = std::int32_t; using value __attribute__((vector_size(16))) = float; using bits __attribute__((vector_size(16))) = std::int32_t; using words __attribute__((vector_size(16))) = std::uint32_t; };
+template <> struct simd_register<float, 8> { using ints __attribute__((vector_size(32))) = std::int32_t; using value __attribute__((vector_size(32))) = float; using bits __attribute__((vector_size(32))) = std::int32_t; using words __attribute__((vector_size(32))) = std::uint32_t; };
+template <> struct simd_register<float, 16> { using ints __attribute__((vector_size(64))) = std::int32_t; using value __attribute__((vector_size(64))) = float; using bits __attribute__((vector_size(64))) = std::int32_t; using words __attribute__((vector_size(64))) = std::uint32_t; };
 } // namespace detail
 
 /// W answers to a comparison of packs. Where the target has mask registers (AVX-512) a full-width mask is one bit per element; elsewhere

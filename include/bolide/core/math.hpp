@@ -78,14 +78,14 @@ namespace detail {
 template <class T> struct float_layout;
 template <> struct float_layout<double> {
   static constexpr int mantissa_bits = 52;
-  static constexpr std::int64_t bias = 1023, half_root = 0x3FE6A09E667F3BCD; // bits of 1/sqrt 2
+  static constexpr std::uint64_t half_root = 0x3FE6A09E667F3BCD; // bits of 1/sqrt 2
   static constexpr double ln2_high = 0x1.62e42fefa3800p-1, ln2_low = 0x1.ef35793c76730p-45, round_magic = 0x1.8p52;
   static constexpr double exp_low = -708.0, exp_high = 709.0;
   static constexpr int log_terms = 11, exp_terms = 13;
 };
 template <> struct float_layout<float> {
   static constexpr int mantissa_bits = 23;
-  static constexpr std::int32_t bias = 127, half_root = 0x3F3504F3;
+  static constexpr std::uint32_t half_root = 0x3F3504F3;
   static constexpr float ln2_high = 0x1.62e4p-1f, ln2_low = 0x1.7f7d1cp-20f, round_magic = 0x1.8p23f;
   static constexpr float exp_low = -87.0f, exp_high = 88.0f;
   static constexpr int log_terms = 4, exp_terms = 7;
@@ -122,9 +122,9 @@ template <class T> inline constexpr auto odd_inverse = [] { // 1/3, 1/5, ...
 template <class T, int W> BOLIDE_INLINE pack<T, W> log(pack<T, W> x) {
   using layout = detail::float_layout<T>;
   using bits = typename detail::simd_register<T, W>::bits;
-  const bits ix = (bits)x.v - layout::half_root;
-  const bits k = ix >> layout::mantissa_bits; // arithmetic shift: floor
-  const pack<T, W> m((typename pack<T, W>::value_type)((bits)x.v - (k << layout::mantissa_bits)));
+  using words = typename detail::simd_register<T, W>::words; // of negative x, whose answer nobody reads, the differences wrap around
+  const bits k = (bits)((words)x.v - layout::half_root) >> layout::mantissa_bits; // arithmetic shift: floor
+  const pack<T, W> m((typename pack<T, W>::value_type)((words)x.v - ((words)k << layout::mantissa_bits)));
   const pack<T, W> kf(__builtin_convertvector(k, typename pack<T, W>::value_type));
   const pack<T, W> s = (m - T(1)) / (m + T(1)), z = s * s;
   const pack<T, W> sum = detail::polynomial(z, detail::odd_inverse<T>);
@@ -133,7 +133,7 @@ template <class T, int W> BOLIDE_INLINE pack<T, W> log(pack<T, W> x) {
 
 template <class T, int W> BOLIDE_INLINE pack<T, W> exp(pack<T, W> x) {
   using layout = detail::float_layout<T>;
-  using bits = typename detail::simd_register<T, W>::bits;
+  using words = typename detail::simd_register<T, W>::words;
   constexpr auto inverse_factorial = [] {
     std::array<T, layout::exp_terms + 1> c{};
     long double f = 1;
@@ -145,11 +145,11 @@ template <class T, int W> BOLIDE_INLINE pack<T, W> exp(pack<T, W> x) {
   }();
   x = min(max(x, pack<T, W>(layout::exp_low)), pack<T, W>(layout::exp_high));
   const pack<T, W> shifted = x * T(1.4426950408889634074) + layout::round_magic;
-  const bits k = (bits)shifted.v - (bits)pack<T, W>(layout::round_magic).v;
+  const words k = (words)shifted.v - (words)pack<T, W>(layout::round_magic).v;
   const pack<T, W> kf = shifted - layout::round_magic;
   const pack<T, W> r = (x - kf * layout::ln2_high) - kf * layout::ln2_low;
   const pack<T, W> sum = detail::polynomial(r, inverse_factorial);
-  return pack<T, W>((typename pack<T, W>::value_type)((bits)sum.v + (k << layout::mantissa_bits)));
+  return pack<T, W>((typename pack<T, W>::value_type)((words)sum.v + (k << layout::mantissa_bits)));
 }
 
 namespace detail {
@@ -163,8 +163,9 @@ template <int W> BOLIDE_INLINE pack<double, W> accurate_pow(pack<double, W> x, p
   using V = pack<double, W>;
   using layout = float_layout<double>;
   using bits = typename simd_register<double, W>::bits;
-  const bits k = ((bits)x.v - layout::half_root) >> layout::mantissa_bits;
-  const V m((typename V::value_type)((bits)x.v - (k << layout::mantissa_bits))), kf(__builtin_convertvector(k, typename V::value_type));
+  using words = typename simd_register<double, W>::words;
+  const bits k = (bits)((words)x.v - layout::half_root) >> layout::mantissa_bits;
+  const V m((typename V::value_type)((words)x.v - ((words)k << layout::mantissa_bits))), kf(__builtin_convertvector(k, typename V::value_type));
   const V a = m - 1.0, d = m + 1.0, d_lost = m - (d - 1.0), inverse = V(1.0) / d, d_high = upper_half(d), d_low = d - d_high;
   const V s_high = upper_half(a * inverse), s_low = (((a - s_high * d_high) - s_high * d_low) - s_high * d_lost) * inverse;
   const V s = s_high + s_low, z = s * s;
