@@ -15,9 +15,7 @@ target_compile_options(bolide_release INTERFACE
   -fno-math-errno -fno-trapping-math)
 
 if(BOLIDE_SANITIZE AND bolide_top_level)
-  # What the address sanitizer and the processor find without help is not asked for twice, and g++ calls its checks instead of writing them
-  # out everywhere: that takes more than half of the compile time away.
-  add_compile_options(-fsanitize=address,undefined -fno-sanitize=null,alignment,object-size -fno-sanitize-recover=all -fno-omit-frame-pointer
-    "$<$<CXX_COMPILER_ID:GNU>:SHELL:--param asan-instrumentation-with-call-threshold=0>")
+  # What the address sanitizer and the processor find without help is not asked for twice: a third of the compile time.
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize=null,alignment,object-size -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=address,undefined)
 endif()
