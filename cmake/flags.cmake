@@ -5,6 +5,7 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 add_library(bolide_warnings INTERFACE)
 target_compile_options(bolide_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
   -Wno-psabi # packs wider than the machine's registers are always inlined: how they would be passed does not matter
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> # g++ 12 suspects the operator+ of std::string
   $<$<BOOL:${BOLIDE_WERROR}>:-Werror>)
 
 # What makes the per-particle loops vectorise without giving up NaN, infinity or the order of sums (no -ffast-math here or anywhere).
