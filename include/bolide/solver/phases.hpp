@@ -638,7 +638,7 @@ private:
   /// Counts the momentum that forces on the nodes give in this step; force(node value, axis).
   template <class F> void give_momentum(F&& force) {
     for (int d = 0; d < dim; ++d)
-energy.momentum_given[static_cast<std::size_t>(d)] += static_cast<double>(dt) * sum_over_rows([&](const touched_part&, std::size_t begin, std::size_t end) {
+      energy.momentum_given[static_cast<std::size_t>(d)] += static_cast<double>(dt) * sum_over_rows([&](const touched_part&, std::size_t begin, std::size_t end) {
         double sum = 0;
         for (std::size_t i = begin; i < end; ++i) sum += force(i, d);
         return sum;
