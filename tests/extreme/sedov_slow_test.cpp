@@ -8,8 +8,8 @@
 //   the front      half the height of a peak that is cut off lies outside the jump. The exact profile smeared over a cell and a half gives
 //                  +2.3 % with 20 cells, +0.9 % with 40, +0.3 % with 80.
 //   the inside     gas of the first cells fills 0.7 of the radius with some hundred points; a point alone in its cell pushes nobody. Energy
-//                  within 0.7 r is 0.176 of all with 40 cells, 0.183 with 80, exact 0.208, and the affine motion of these points keeps 0.035: 5 % less
-//                  energy is a radius 1 % less. With 4 points a side affine motion keeps 0.006.
+//                  within 0.7 r is 0.176 of all with 40 cells, 0.183 with 80, exact 0.208, and the affine motion of these points keeps 0.035:
+//                  5 % less energy is a radius 1 % less. With 4 points a side affine motion keeps 0.006.
 //   the viscosity  with c_q 0.1, c_l 0.1 (right for Noh) a radius 1 to 2.5 % less than with the default 1.5, 0.06, which is used here.
 // Radius, default viscosity: +3.0 % with 20 cells, +0.6 with 30, 0.0 with 40, -1.2 with 60, -1.4 with 80; with 4 points a side +2.1, +0.6 and 0.0
 // with 20 to 40. So 0.0 is a crossing of parts of 1 to 2 %; rounding alone, by the order of sums, moves a result by up to 0.7 %.
@@ -83,7 +83,8 @@ TEST(Sedov, FromOneParticle) {
                     .note = note});
   };
   const std::string parts = "a smeared front reads 0.9 % high, points alone in their cells inside (" + percent(b.inside) +
-                            " of the energy within 0.7 r, exact 20.8 %) make it 1 to 2 % low; with 20 cells " + percent(coarse.mean - 1) + "; " + b.floors;
+                            " of the energy within 0.7 r, exact 20.8 %) make it 1 to 2 % low; with 20 cells " + percent(coarse.mean - 1) +
+                            "; " + b.floors;
   row("shock radius, error", b.mean - 1, 0.02, "", parts);
   row("shock radius with viscosity 0.1, 0.1, error", thin.mean - 1, verify::none, "", "too little viscosity for a strong blast: default 1.5, 0.06");
   row("largest less smallest radius of six sectors", b.spread, 1, "cells", parts);
