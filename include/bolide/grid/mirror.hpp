@@ -58,10 +58,9 @@ public:
     const int normal = first < 0 ? -1 : first + static_cast<int>(axis_);
     const int low = stick_ && first >= 0 ? first : normal, high = stick_ && first >= 0 ? first + Dim - 1 : normal; // components that change sign
     for (int c = 0; c < Column::components; ++c) {
-      auto* const x = sums[c] + offset;
       const bool odd = normal >= 0 && c >= low && c <= high;
       for (const auto& [image, real] : pairs_.active()) {
-        auto &a = x[image], &b = x[real];
+        auto &a = sums(c, offset + static_cast<std::size_t>(image)), &b = sums(c, offset + static_cast<std::size_t>(real));
         if (odd) {
           b -= a;
           a = -b;
@@ -71,7 +70,7 @@ public:
         }
       }
       if (odd)
-        for (const auto node : plane_) x[node] = 0;
+        for (const auto node : plane_) sums(c, offset + static_cast<std::size_t>(node)) = 0;
     }
   }
   /// Is this node beyond the plane? Such a node is a copy and must not be counted in sums over nodes.

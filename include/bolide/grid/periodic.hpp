@@ -48,14 +48,12 @@ public:
   void spread(std::vector<char>& touched) { pairs_.spread(touched); }
   /// Completes sums over particles of the node column that begins at `offset`.
   template <class Column> void complete(Column& sums, int, std::size_t offset = 0) const {
-    for (int c = 0; c < Column::components; ++c) {
-      auto* const x = sums[c] + offset;
+    for (int c = 0; c < Column::components; ++c)
       for (const auto& pair : pairs_.active()) {
-        auto &a = x[pair.first], &b = x[pair.second];
+        auto &a = sums(c, offset + static_cast<std::size_t>(pair.first)), &b = sums(c, offset + static_cast<std::size_t>(pair.second));
         a += b;
         b = a;
       }
-    }
   }
   bool is_image(std::size_t node) const { return pairs_.is_image(node); }
   std::size_t axis() const { return axis_; }

@@ -3,9 +3,9 @@
 //
 // There is no box to guess: a particle may fly as far as 2^30 cells. A block has `side`^dim nodes. Particles are kept sorted by the
 // block of their cell; between two sorts they may drift by `margin` cells out of it, so that a block's particles touch nodes of
-// that block and of its direct neighbours only. They work on a `window`: a small dense copy of the nodes that they touch.
-// Blocks of one colour (parity of their coordinates: 2^dim colours) touch disjoint nodes, so windows of one colour may be added
-// back by any number of threads in any order with the same bits.
+// that block and of its direct neighbours only, its `window`.
+// Blocks of one colour (parity of their coordinates: 2^dim colours) touch disjoint nodes, so particles of one colour may be added
+// to them by any number of threads in any order with the same bits.
 #pragma once
 
 #include "bolide/core/contract.hpp"
@@ -157,29 +157,28 @@ inline std::int32_t on_grid_line(double position, double spacing, const std::str
   return nearest;
 }
 
-/// Dense copies of N node values on the nodes of a node_range. Row stride is fixed, so that the offset of a node of the stencil is a constant.
-template <int Dim, class T, int N = 1> struct window {
+/// Places around a block, as far as its particles reach, in rows of a fixed length: the place of a node of a support relative to the first is a
+/// constant.
+template <int Dim> struct window {
   using map = block_map<Dim>;
   static constexpr int stride = 2 * map::side;
-  static constexpr int reach = map::side / 2; // offset 0 is the node at -reach on every axis
+  static constexpr int reach = map::side / 2; // place 0 is the node at -reach on every axis
   static constexpr int size = Dim == 1 ? stride : Dim == 2 ? stride * stride : stride * stride * stride;
-  static constexpr int padding = 32; // a register may be read from the last node on
-  alignas(64) std::array<std::array<T, static_cast<std::size_t>(size + padding)>, static_cast<std::size_t>(N)> value;
 
-  T* operator[](int c) { return value[static_cast<std::size_t>(c)].data(); }
-  const T* operator[](int c) const { return value[static_cast<std::size_t>(c)].data(); }
   static int offset(const std::array<int, static_cast<std::size_t>(Dim)>& at) {
     int o = 0;
     for (std::size_t d = 0; d < Dim; ++d) o = o * stride + (at[d] + reach);
     return o;
   }
+  /// Global number of the node at every place.
+  static std::vector<std::int32_t> nodes(const std::array<std::int32_t, map::neighbours>& near);
 };
 
-/// Calls f(first node in the column, first node in the window, count) for every run of nodes of `range` that is contiguous in a block.
+/// Calls f(first node in the column, its place in the window, count) for every run of nodes of `range` that is contiguous in a block.
 template <int Dim, class F>
 inline void for_each_run(const std::array<std::int32_t, block_map<Dim>::neighbours>& near, const node_range<Dim>& range, F&& f) {
   using map = block_map<Dim>;
-  using win = window<Dim, char>;
+  using win = window<Dim>;
   constexpr int side = map::side;
   constexpr auto last = static_cast<std::size_t>(Dim - 1);
   std::array<int, static_cast<std::size_t>(Dim)> at = range.low;
@@ -204,6 +203,17 @@ inline void for_each_run(const std::array<std::int32_t, block_map<Dim>::neighbou
     }
     if (d < 0) return;
   }
+}
+
+template <int Dim> std::vector<std::int32_t> window<Dim>::nodes(const std::array<std::int32_t, map::neighbours>& near) {
+  std::vector<std::int32_t> node(static_cast<std::size_t>(size), -1);
+  node_range<Dim> all;
+  all.low.fill(-reach);
+  all.high.fill(stride - reach - 1);
+  for_each_run<Dim>(near, all, [&](std::int32_t first, int place, int count) {
+    for (int i = 0; i < count; ++i) node[static_cast<std::size_t>(place + i)] = first + i;
+  });
+  return node;
 }
 
 } // namespace bolide::grid

@@ -25,9 +25,10 @@ template <int Dim> struct block_range {
   grid::node_range<Dim> touched;                      // nodes that the particles touch, relative to origin
   int quiet = 0;                                      // 0: awake; else asleep, and how many blocks off the next awake one is (3: or more)
   step_limit rest;                                    // while asleep: the shortest step that its particles ask for
-  std::vector<tile> tiles;                            // over its particles, in their order
+  std::vector<tile> tiles;                            // over its particles, in their order; none where they would not fill them
   std::size_t tiles_at_best = 0;                      // how many there were when the particles were last put in order
   std::size_t excess_tiles = 0;                       // how many more there were since, summed over the steps
+  std::vector<std::int32_t> nodes;                    // the node at every place of its window (grid/sparse.hpp)
 
   /// The nodes of neighbour n (of 3^Dim, last axis fastest) that the particles touch, relative to that block.
   grid::node_range<Dim> part_in_neighbour(int n) const {
@@ -106,19 +107,19 @@ template <class T, class Space, class Shape, class Material, class Fields> struc
     for (std::size_t b = 0; b < blocks.size(); ++b) {
       const std::size_t begin = count[b * map::nodes_per_block], end = count[(b + 1) * map::nodes_per_block];
       if (begin == end) continue;
-      block_range<dim> r{{}, begin, end, blocks.neighbourhood(blocks.coordinate(b)), {}, 0, {}, {}, 0, 0};
+      block_range<dim> r{{}, begin, end, blocks.neighbourhood(blocks.coordinate(b)), {}, 0, {}, {}, 0, 0, {}};
+      r.nodes = grid::window<dim>::nodes(r.near);
       for (std::size_t d = 0; d < dim; ++d) r.origin[d] = blocks.coordinate(b)[d] * map::side;
       by_colour[static_cast<std::size_t>(map::colour_of(blocks.coordinate(b)))].push_back(static_cast<std::int32_t>(ranges.size()));
       ranges.push_back(r);
       measure(ranges.back(), h);
-      lay_tiles(ranges.back(), h);
-      ranges.back().tiles_at_best = ranges.back().tiles.size();
+      begin_tiles(ranges.back(), h);
     }
   }
 
   /// Puts tiles over the particles of a range, after measure().
   void lay_tiles(block_range<dim>& r, double h) const {
-    tile_layer<lanes, grid::window<dim, T>::stride> layer(r.tiles);
+    tile_layer<lanes, grid::window<dim>::stride> layer(r.tiles);
     std::array<std::int32_t, chunk_size> first;
     for (std::size_t begin = r.begin; begin < r.end; begin += chunk_size) {
       const std::size_t n = std::min<std::size_t>(chunk_size, r.end - begin);
@@ -127,8 +128,16 @@ template <class T, class Space, class Shape, class Material, class Fields> struc
     }
     layer.close();
   }
+  /// Tiles over particles in the order that fills them, if they do.
+  void begin_tiles(block_range<dim>& r, double h) const {
+    lay_tiles(r, h);
+    if (r.end - r.begin < least_in_tile * r.tiles.size()) r.tiles.clear();
+    r.tiles_at_best = r.tiles.size();
+    r.excess_tiles = 0;
+  }
   /// After a motion: new tiles, and a new order where what the decayed one has cost would have paid for it.
   void renew_tiles(block_range<dim>& r, double h) {
+    if (r.tiles.empty()) return;
     lay_tiles(r, h);
     r.excess_tiles += r.tiles.size() - std::min(r.tiles.size(), r.tiles_at_best);
     if (arranging_costs * r.excess_tiles > r.end - r.begin + 16) arrange(r, h);
@@ -138,7 +147,7 @@ template <class T, class Space, class Shape, class Material, class Fields> struc
     const std::size_t n = r.end - r.begin;
     std::vector<std::int32_t> first(n + chunk_size);
     for (std::size_t k = 0; k < n; k += chunk_size) first_nodes(r, r.begin + k, std::min<std::size_t>(chunk_size, n - k), h, first.data() + k);
-    using win = grid::window<dim, T>;
+    using win = grid::window<dim>;
     const std::int32_t lowest = win::offset(r.touched.low) / win::stride * win::stride; // the row of the first touched node
     std::vector<std::uint32_t> start(static_cast<std::size_t>(win::offset(r.touched.high) + 1 - lowest) + 1, 0), order(n);
     for (std::size_t k = 0; k < n; ++k) ++start[static_cast<std::size_t>(first[k] - lowest) + 1];
@@ -147,9 +156,7 @@ template <class T, class Space, class Shape, class Material, class Fields> struc
     for (std::size_t k = 0; k < n; ++k) order[next[static_cast<std::size_t>(first[k] - lowest)]++] = static_cast<std::uint32_t>(k);
     interleave(start, lanes, order);
     columns.reorder(r.begin, order);
-    lay_tiles(r, h);
-    r.tiles_at_best = r.tiles.size();
-    r.excess_tiles = 0;
+    begin_tiles(r, h);
   }
 
   /// Are all particles of a range without void, and without velocity and stress beyond `speed` (m/s) and rho c times it? With speed = 0 nothing of
@@ -200,7 +207,7 @@ template <class T, class Space, class Shape, class Material, class Fields> struc
       const T first = std::floor(low * inverse_h - T(Shape::offset)), last = std::floor(high * inverse_h - T(Shape::offset));
       const auto at = static_cast<std::size_t>(d);
       const T lo = first - static_cast<T>(r.origin[at]), hi = last - static_cast<T>(r.origin[at]);
-      constexpr int least = -grid::window<dim, T>::reach, most = grid::window<dim, T>::stride - grid::window<dim, T>::reach - Shape::support;
+      constexpr int least = -grid::window<dim>::reach, most = grid::window<dim>::stride - grid::window<dim>::reach - Shape::support;
       if (!(lo >= T(least)) || !(hi <= T(most)) || !(finite == T(0))) inside = false; // NaN is outside
       else {
         r.touched.low[at] = static_cast<int>(lo);
@@ -250,26 +257,29 @@ template <class T, class Space, class Shape, class Material, class Fields> struc
     column("excess_tiles", [](auto& r) -> auto& { return r.excess_tiles; });
     for (const auto& r : ranges) a.expect(r.begin < r.end && r.end <= columns.size(), "a range of particles is none");
   }
-  /// Finds neighbours, colours and tiles of the ranges in the blocks.
+  /// Finds neighbours, colours, nodes and tiles of the ranges in the blocks.
   template <class Map> void connect(const Map& blocks, double h) {
     for (auto& c : by_colour) c.clear();
     for (std::size_t k = 0; k < ranges.size(); ++k) {
       const auto block = map::block_of(ranges[k].origin);
       ranges[k].near = blocks.neighbourhood(block);
       by_colour[static_cast<std::size_t>(map::colour_of(block))].push_back(static_cast<std::int32_t>(k));
-      lay_tiles(ranges[k], h);
+      ranges[k].nodes = grid::window<dim>::nodes(ranges[k].near);
+      ranges[k].tiles.clear();
+      if (ranges[k].tiles_at_best > 0) lay_tiles(ranges[k], h);
     }
   }
 
 private:
   static constexpr int lanes = native_width<T>;
+  static constexpr std::size_t least_in_tile = static_cast<std::size_t>(3 * lanes / 4); // particles, on average, for tiles to be worth it
   static constexpr std::size_t arranging_costs = 2; // a tile in a step costs about as much as arranging so many particles
 
   /// Window offsets of the first nodes of n <= chunk_size particles (whole registers are written). They are held among the touched nodes, so that a
   /// rounding of x / h on a cell face names no foreign node.
   BOLIDE_INLINE void first_nodes(const block_range<dim>& r, std::size_t begin, std::size_t n, double h, std::int32_t* first) const {
     using V = native_pack<T>;
-    using win = grid::window<dim, T>;
+    using win = grid::window<dim>;
     const T inverse_h = static_cast<T>(1 / h);
     for (std::size_t k = 0; k < n; k += static_cast<std::size_t>(lane_width<V>)) {
       V sum(T(0));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The phases of a step: sweeps over the particles of every block, and loops over nodes. A scheme puts them in order.
 //
-// A sweep takes the blocks colour by colour; blocks of one colour run in parallel. Each copies the nodes that it needs into a window,
-// runs its particles chunk by chunk (stencil, gather, lanes, scatter), and adds its sums back. What a block reports is
-// kept per block and added up in the order of the blocks, so the number of threads does not change a bit.
+// A sweep takes the blocks colour by colour; blocks of one colour touch no common node and run in parallel. Each runs its particles chunk by
+// chunk (gather, lanes, scatter; solver/kernels.hpp). What a block reports is kept per block and added up in the order of the blocks, so the
+// number of threads does not change a bit.
 //
 // What is at rest is not computed. A range whose particles had neither velocity nor stress when they were sorted sleeps until one of its
 // nodes moves; material without stress gives no force and does no work. Both leave out only additions of zero: the answer is the same.
@@ -70,37 +70,28 @@ public:
     if constexpr (!Scheme::stress_first) clear(forces_);
     sweep([this](auto& set, auto& range, update_report&) {
       if (range.quiet == asleep) return;
-      kernel::scatter(sums_, field_of(set), range, [&](auto& win) {
-        chunks(set, range, [&](const auto& c) { kernel::template scatter_momentum<dim + 1>(set.columns, c, win); });
+      kernel::scatter(sums_, field_of(set), range, [&](const auto& to) {
+        chunks<for_momentum>(set, range, [&](const auto& c) { kernel::template scatter_momentum<dim + 1>(set.columns, c, to); });
       });
       if constexpr (!Scheme::stress_first)
-        if (range.quiet == 0) kernel::scatter(forces_, field_of(set), range, [&](auto& win) {
-          chunks(set, range, [&](const auto& c) {
-            if (!carries_stress(set.columns, c.begin, static_cast<std::size_t>(c.n))) return;
-            typename kernel::template scratch<1> inverse_r;
-            kernel::inverse_radius(set.columns, c, inverse_r[0]);
-            kernel::scatter_force(set, c, inverse_r[0], win);
+        if (range.quiet == 0) kernel::scatter(forces_, field_of(set), range, [&](const auto& to) {
+          chunks<for_gradients>(set, range, [&](const auto& c) {
+            if (carries_stress(set.columns, c.begin, static_cast<std::size_t>(c.n))) kernel::scatter_force(set.columns, c, to);
           });
         });
     });
     complete(sums_, 1);
     motion_.resize(column_size());
-    if constexpr (Scheme::stress_first) forces_.resize(column_size());
-    if constexpr (maps_back) back_.resize(column_size());
-    if constexpr (keeps_raw) raw_.resize(column_size());
-    each_row([this](std::size_t first, std::size_t last) {
-      const T* const mass = sums_[0];
-      for (int d = 0; d < dim; ++d) {
-        const T* const momentum = sums_[1 + d];
-        T *const v = motion_[d], *const change = motion_[dim + d];
-        for (std::size_t i = first; i < last; ++i) {
-          const T inverse_mass = T(1) / mass[i];
-          v[i] = mass[i] > T(0) ? momentum[i] * inverse_mass : T(0);
-          change[i] = T(0);
-        }
-        if constexpr (Scheme::stress_first) std::fill(forces_[d] + first, forces_[d] + last, T(0));
-        if constexpr (maps_back) std::fill(back_[d] + first, back_[d] + last, T(0));
-      }
+    if constexpr (keeps_raw) clear(raw_);
+    if constexpr (Scheme::stress_first) clear(forces_);
+    if constexpr (maps_back) clear(back_);
+    find_mass([this](std::size_t i) {
+      V m[sums::width], u[motion::width] = {};
+      sums_.lanes(i, m);
+      const V inverse_mass = select(m[0] > V(T(0)), T(1) / m[0], V(T(0)));
+      for (int d = 0; d < dim; ++d) u[d] = m[1 + d] * inverse_mass;
+      motion_.put_lanes(i, u, register_nodes);
+      return any(m[0] > V(T(0)));
     });
     if (constrained()) {
       clear(wall_forces_);
@@ -114,16 +105,13 @@ public:
     start_report();
     sweep([this](auto& set, auto& range, update_report& report) {
       if (sleeps_on(set, range, report)) return;
-      kernel::gather(motion_, field_of(set), range, [&](auto& nodes) {
-        kernel::scatter(forces_, field_of(set), range, [&](auto& win) {
-          chunks(set, range, [&](const auto& c) {
+      kernel::gather(motion_, field_of(set), range, [&](const auto& nodes) {
+        kernel::scatter(forces_, field_of(set), range, [&](const auto& to) {
+          chunks<for_gradients>(set, range, [&](const auto& c) {
             typename kernel::template scratch<Space::gradient_size> l;
-            typename kernel::template scratch<1> inverse_r;
-            kernel::inverse_radius(set.columns, c, inverse_r[0]);
-            if (constrained()) velocity_gradient(set.columns, c, inverse_r[0], nodes, T(1), T(1), l);
-            else initial_gradient(set.columns, c, inverse_r[0], nodes, l);
+            kernel::velocity_gradient(set.columns, c, nodes, T(1), T(1), l);
             set.material.template update<Space>(set.columns, c.begin, c.n, l.value, context(true), report);
-            if (carries_stress(set.columns, c.begin, static_cast<std::size_t>(c.n))) kernel::scatter_force(set, c, inverse_r[0], win);
+            if (carries_stress(set.columns, c.begin, static_cast<std::size_t>(c.n))) kernel::scatter_force(set.columns, c, to);
           });
         });
       });
@@ -136,22 +124,29 @@ public:
     if (!body_forces.empty()) scatter_body_forces();
     complete(forces_, 0);
     const bool with_constraints = constrained();
-    each_row([this, with_constraints](std::size_t first, std::size_t last) {
-      const T* const mass = sums_[0];
-      for (int d = 0; d < dim; ++d) {
-        const T *const force = forces_[d], *const external = body_forces.empty() ? nullptr : external_[d], *const v = motion_[d];
-        T* const change = motion_[dim + d]; // holds what constrain() did before the stress
-        for (std::size_t i = first; i < last; ++i) {
-          const T factor = dt / mass[i], f = external ? force[i] + external[i] : force[i];
-          const T next = f * factor + ((with_constraints ? change[i] : T(0)) + (Transfer::affine ? v[i] : T(0)));
-          change[i] = mass[i] > T(0) ? next : change[i];
-        }
+    each_register([this, with_constraints](std::size_t i) {
+      V m[sums::width], f[forces::width], u[motion::width];
+      sums_.lanes(i, m);
+      forces_.lanes(i, f);
+      motion_.lanes(i, u);
+      if (!body_forces.empty()) {
+        V b[forces::width];
+        external_.lanes(i, b);
+        for (int d = 0; d < dim; ++d) f[d] += b[d];
       }
+      const V factor = select(m[0] > V(T(0)), dt / m[0], V(T(0)));
+      for (int d = 0; d < dim; ++d) {
+        const V before = (with_constraints ? u[dim + d] : V(T(0))) + (Transfer::affine ? u[d] : V(T(0))); // with what constrain() did before the stress
+        u[dim + d] = before + f[d] * factor;
+      }
+      motion_.put_lanes(i, u, register_nodes);
     });
     if (with_constraints) constrain<false>();
-    if constexpr (keeps_raw) each_row([this](std::size_t first, std::size_t last) {
-      for (int d = 0; d < dim; ++d)
-        for (std::size_t i = first; i < last; ++i) raw_[d][i] = motion_[d][i] + motion_[dim + d][i];
+    if constexpr (keeps_raw) each_register([this](std::size_t i) {
+      V u[motion::width], raw[forces::width] = {};
+      motion_.lanes(i, u);
+      for (int d = 0; d < dim; ++d) raw[d] = u[d] + u[dim + d];
+      raw_.put_lanes(i, raw, register_nodes);
     });
     if constexpr (Transfer::affine) nodal_work(power_of(forces_));
   }
@@ -161,18 +156,16 @@ public:
     if constexpr (Transfer::filter_order > 1) filter_velocities();
     sweep([this](auto& set, auto& range, update_report& report) {
       if (sleeps_on(set, range)) return;
-      kernel::gather(motion_, field_of(set), range, [&](auto& nodes) {
-        const auto run = [&](auto& win) {
-          chunks(set, range, [&](const auto& c) {
+      kernel::gather(motion_, field_of(set), range, [&](const auto& nodes) {
+        const auto run = [&](const auto& to) {
+          chunks<for_transfer>(set, range, [&](const auto& c) {
             if constexpr (Transfer::affine) {
               typename kernel::template scratch<Space::gradient_size> l;
-              typename kernel::template scratch<1> inverse_r;
-              kernel::inverse_radius(set.columns, c, inverse_r[0]);
-              velocity_gradient(set.columns, c, inverse_r[0], nodes, T(0.5), T(0.5), l);
+              kernel::velocity_gradient(set.columns, c, nodes, T(0.5), T(0.5), l);
               set.material.template work<Space>(set.columns, c.begin, c.n, l.value, dt, report);
               take_affine(set.columns, c, nodes, report);
-              if constexpr (maps_back) kernel::template scatter_momentum<dim>(set.columns, c, win);
-            } else add_change(set.columns, c, nodes, win, report);
+              if constexpr (maps_back) kernel::template scatter_momentum<dim>(set.columns, c, to);
+            } else add_change(set.columns, c, nodes, to, report);
           });
         };
         if constexpr (maps_back) kernel::scatter(back_, field_of(set), range, run);
@@ -182,15 +175,15 @@ public:
     finish_kinetic();
     if constexpr (maps_back) {
       complete(back_, 0);
-      each_row([this](std::size_t first, std::size_t last) { // FLIP: dv~ = sum N m dv_p / m_I; APIC: v'_I
-        for (int d = 0; d < dim; ++d) {
-          const T *const mass = sums_[0], *const momentum = back_[d];
-          T* const change = motion_[dim + d];
-          for (std::size_t i = first; i < last; ++i) {
-            const T next = momentum[i] / mass[i];
-            change[i] = mass[i] > T(0) ? next : change[i];
-          }
-        }
+      each_register([this](std::size_t i) { // FLIP: dv~ = sum N m dv_p / m_I; APIC: v'_I
+        V m[sums::width], p[forces::width], u[motion::width];
+        sums_.lanes(i, m);
+        back_.lanes(i, p);
+        motion_.lanes(i, u);
+        const auto has_mass = m[0] > V(T(0));
+        const V inverse_mass = T(1) / m[0];
+        for (int d = 0; d < dim; ++d) u[dim + d] = select(has_mass, p[d] * inverse_mass, u[dim + d]);
+        motion_.put_lanes(i, u, register_nodes);
       });
       if constexpr (!Transfer::affine) nodal_work(power_of(forces_));
     }
@@ -203,28 +196,24 @@ public:
       constexpr bool only_work = Scheme::stress_first;
       if (only_work ? range.quiet > 0 : sleeps_on(set, range, report)) return;
       if constexpr (!Transfer::affine || !Scheme::stress_first)
-        if (!only_work || carries_stress(set.columns, range.begin, range.end - range.begin)) kernel::gather(motion_, field_of(set), range, [&](auto& nodes) {
-          chunks(set, range, [&](const auto& c) {
+        if (!only_work || carries_stress(set.columns, range.begin, range.end - range.begin)) kernel::gather(motion_, field_of(set), range, [&](const auto& nodes) {
+          chunks<for_gradients>(set, range, [&](const auto& c) {
             if (only_work && !carries_stress(set.columns, c.begin, static_cast<std::size_t>(c.n))) return;
             typename kernel::template scratch<Space::gradient_size> l;
-            typename kernel::template scratch<1> inverse_r;
-            kernel::inverse_radius(set.columns, c, inverse_r[0]);
             if constexpr (!Transfer::affine) {
-              velocity_gradient(set.columns, c, inverse_r[0], nodes, T(1), T(0.5), l);
+              kernel::velocity_gradient(set.columns, c, nodes, T(1), T(0.5), l);
               set.material.template work<Space>(set.columns, c.begin, c.n, l.value, dt, report);
             }
             if constexpr (!Scheme::stress_first && !keeps_raw) {
-              velocity_gradient(set.columns, c, inverse_r[0], nodes, Transfer::affine ? T(0) : T(1), T(1), l);
+              kernel::velocity_gradient(set.columns, c, nodes, Transfer::affine ? T(0) : T(1), T(1), l);
               set.material.template update<Space>(set.columns, c.begin, c.n, l.value, context(false), report);
             }
           });
         });
-      if constexpr (keeps_raw) kernel::gather(raw_, field_of(set), range, [&](auto& nodes) {
-        chunks(set, range, [&](const auto& c) {
+      if constexpr (keeps_raw) kernel::gather(raw_, field_of(set), range, [&](const auto& nodes) {
+        chunks<for_gradients>(set, range, [&](const auto& c) {
           typename kernel::template scratch<Space::gradient_size> l;
-          typename kernel::template scratch<1> inverse_r;
-          kernel::inverse_radius(set.columns, c, inverse_r[0]);
-          initial_gradient(set.columns, c, inverse_r[0], nodes, l);
+          kernel::velocity_gradient(set.columns, c, nodes, T(1), T(1), l);
           set.material.template update<Space>(set.columns, c.begin, c.n, l.value, context(false), report);
         });
       });
@@ -312,6 +301,8 @@ private:
   /// Does the stress follow the velocities that the forces left on the nodes, where the column `motion_` no longer has them?
   static constexpr bool keeps_raw = !Transfer::affine && !Scheme::stress_first && !Scheme::maps_velocity_back;
   static constexpr bool filters = Transfer::filter_order > 0;
+  static constexpr wants for_gradients{true, false}, for_momentum{false, Transfer::affine}, for_transfer{Transfer::affine, Transfer::affine};
+  static constexpr int register_nodes = lane_width<V> < map::side ? lane_width<V> : map::side; // of one row, that a loop over nodes takes at once
   static constexpr std::int64_t worth_threads = 16384; // particles (or half as many nodes) below which threads cost more than they give
   sums sums_;
   forces forces_, back_, external_, raw_, residual_, next_residual_, normals_, wall_forces_, contact_forces_;
@@ -320,8 +311,10 @@ private:
     std::int32_t block;
     grid::node_range<dim> nodes; // relative to the block
     bool images;                 // may some of them be images?
+    std::size_t first, with_mass; // its registers of nodes where one has mass, in with_mass_
   };
   std::vector<touched_part> touched_;  // nodes that particles touch in this step
+  std::vector<std::uint32_t> with_mass_; // first nodes
   std::vector<double> node_sums_;      // of a loop over nodes, one per touched block
   std::vector<update_report> reports_; // one per range
 
@@ -426,10 +419,9 @@ private:
     if (range.quiet > 1) return true;
     bool moves = false;
     grid::for_each_run<dim>(range.near, range.touched, [&](std::int32_t node, int, int count) {
-      for (int c = 0; c < 2 * dim; ++c) {
-        const T* const v = motion_[c] + field_of(set) + node;
-        for (int i = 0; i < count; ++i) moves = moves || !(std::abs(v[i]) <= quiet_speed);
-      }
+      const T* const v = motion_.row(field_of(set) + static_cast<std::size_t>(node));
+      for (int i = 0; i < count; ++i)
+        for (int c = 0; c < 2 * dim; ++c) moves = moves || !(std::abs(v[i * motion::width + c]) <= quiet_speed);
     });
     if (moves) range.quiet = 0;
     return !moves;
@@ -469,13 +461,22 @@ private:
     for (auto& m : mirrors) m.spread(mirrored);
     for (auto& p : periods) p.spread(mirrored);
     touched_.clear();
+    std::size_t registers = 0;
     for (std::size_t b = 0; b < blocks.size(); ++b)
-      if (mirrored[b]) touched_.push_back({static_cast<std::int32_t>(b), mirrored[b] == map::holds_images ? whole : nodes[b], mirrored[b] == map::holds_images});
+      if (mirrored[b]) {
+        auto part = mirrored[b] == map::holds_images ? whole : nodes[b];
+        int &low = part.low[dim - 1], &high = part.high[dim - 1]; // in whole registers
+        low -= low % register_nodes;
+        high += register_nodes - 1 - high % register_nodes;
+        touched_.push_back({static_cast<std::int32_t>(b), part, mirrored[b] == map::holds_images, registers, 0});
+        map::for_each_row(part, [&](int, int count) { registers += static_cast<std::size_t>(count / register_nodes) * velocity_fields; });
+      }
+    with_mass_.resize(registers);
   }
   template <class Column> void clear(Column& column) {
     column.resize(column_size());
     each_row([&](std::size_t first, std::size_t last) {
-      for (int c = 0; c < Column::components; ++c) std::fill(column[c] + first, column[c] + last, T(0));
+      std::fill(column.row(first), column.row(last), T(0));
     });
   }
   /// f(first, last) for every run of touched nodes in the columns, of every velocity field.
@@ -485,22 +486,47 @@ private:
       return 0.0;
     });
   }
+  /// f(i) -> has one of them mass? for the touched nodes, a register at a time, the first of them i.
+  template <class F> void find_mass(F&& f) {
+    sum_over_parts([&](touched_part& part) {
+      part.with_mass = 0;
+      each_row_of(part, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; i += register_nodes)
+          if (f(i)) with_mass_[part.first + part.with_mass++] = static_cast<std::uint32_t>(i);
+      });
+      return 0.0;
+    });
+  }
+  /// f(i) for those where one has mass.
+  template <class F> void each_register(F&& f) {
+    sum_over_parts([&](const touched_part& part) {
+      for (std::size_t k = part.first; k < part.first + part.with_mass; ++k) f(std::size_t{with_mass_[k]});
+      return 0.0;
+    });
+  }
   /// Sum of f(part, first, last) over the runs of touched nodes in the columns, in the order of the blocks.
   template <class F> double sum_over_rows(F&& f) {
+    return sum_over_parts([&](const touched_part& part) {
+      double sum = 0;
+      each_row_of(part, [&](std::size_t first, std::size_t last) { sum += f(part, first, last); });
+      return sum;
+    });
+  }
+  /// f(first, last) for every run of nodes of a part in the columns, in every velocity field.
+  template <class F> void each_row_of(const touched_part& part, F&& f) const {
+    map::for_each_row(part.nodes, [&](int local, int count) {
+      const std::size_t first = static_cast<std::size_t>(part.block) * map::nodes_per_block + static_cast<std::size_t>(local);
+      for (std::size_t at = first; at < column_size(); at += node_count()) f(at, at + static_cast<std::size_t>(count));
+    });
+  }
+  /// Sum of f(part) over the touched parts of blocks, in the order of the blocks.
+  template <class F> double sum_over_parts(F&& f) {
     const auto n = static_cast<std::int64_t>(touched_.size());
     node_sums_.assign(touched_.size(), 0);
 #if defined(_OPENMP)
 #pragma omp parallel for schedule(static) if (n * map::nodes_per_block > 2 * worth_threads)
 #endif
-    for (std::int64_t b = 0; b < n; ++b) {
-      const auto& part = touched_[static_cast<std::size_t>(b)];
-      double sum = 0;
-      map::for_each_row(part.nodes, [&](int local, int count) {
-        const std::size_t first = static_cast<std::size_t>(part.block) * map::nodes_per_block + static_cast<std::size_t>(local);
-        for (std::size_t at = first; at < column_size(); at += node_count()) sum += f(part, at, at + static_cast<std::size_t>(count));
-      });
-      node_sums_[static_cast<std::size_t>(b)] = sum;
-    }
+    for (std::int64_t b = 0; b < n; ++b) node_sums_[static_cast<std::size_t>(b)] = f(touched_[static_cast<std::size_t>(b)]);
     double total = 0;
     for (const double part : node_sums_) total += part;
     return total;
@@ -513,25 +539,22 @@ private:
       });
   }
 
-  /// Sum of f.(v + dv/2) over the real nodes, f a column of nodal forces; for affine transfers f.(v + v')/2.
+  /// Sum of f.(v + dv/2) over the real nodes, f a column of nodal forces; for affine transfers f.(v + v')/2. Nodes without mass have no velocity.
   double power_of(const forces& f) {
     constexpr T half = T(0.5), first = Transfer::affine ? half : T(1);
-    const auto at = [&](auto lane, std::size_t i) { // of one node, or of as many as fill a register
-      using L = decltype(lane);
-      L power(T(0));
-      for (int d = 0; d < dim; ++d) power += load<L>(f[d] + i) * (first * load<L>(motion_[d] + i) + half * load<L>(motion_[dim + d] + i));
-      return select(load<L>(sums_[0] + i) > L(T(0)), power, L(T(0)));
-    };
-    return sum_over_rows([&](const touched_part& part, std::size_t begin, std::size_t end) {
-      if (part.images) {
-        double sum = 0;
-        for (std::size_t i = begin; i < end; ++i)
-          if (!is_image(i)) sum += static_cast<double>(at(T(0), i));
-        return sum;
-      }
+    return sum_over_parts([&](const touched_part& part) {
       detail::lane_sum<V> sum;
-      for (std::size_t i = begin; i < end; i += static_cast<std::size_t>(lane_width<V>))
-        sum.add(at(V(T(0)), i), static_cast<int>(std::min<std::size_t>(end - i, static_cast<std::size_t>(lane_width<V>))));
+      for (std::size_t r = part.first; r < part.first + part.with_mass; ++r) {
+        const std::size_t i = with_mass_[r];
+        V force[forces::width], u[motion::width], power(T(0));
+        f.lanes(i, force);
+        motion_.lanes(i, u);
+        for (int d = 0; d < dim; ++d) power += force[d] * (first * u[d] + half * u[dim + d]);
+        if (part.images)
+          for (int k = 0; k < register_nodes; ++k)
+            if (is_image(i + static_cast<std::size_t>(k))) power.set(k, T(0));
+        sum.add(power, register_nodes);
+      }
       return sum.total();
     });
   }
@@ -544,7 +567,7 @@ private:
     if (!body_forces.empty()) book(external_, energy.body_work);
     if (!walls.empty()) {
       book(wall_forces_, energy.boundary_work);
-      give_momentum([this](std::size_t i, int d) { return sums_[0][i] > T(0) && !is_image(i) ? static_cast<double>(wall_forces_[d][i]) : 0.0; });
+      give_momentum([this](std::size_t i, int d) { return sums_(0, i) > T(0) && !is_image(i) ? static_cast<double>(wall_forces_(d, i)) : 0.0; });
     }
     if constexpr (Contact::multi_field) book(contact_forces_, energy.contact);
   }
@@ -564,8 +587,8 @@ private:
     clear(contact_forces_);
     sweep([this](auto& set, auto& range, update_report&) {
       if (range.quiet == asleep) return;
-      kernel::scatter(normals_, field_of(set), range, [&](auto& win) {
-        chunks(set, range, [&](const auto& c) { kernel::scatter_normal(set.columns, c, win); });
+      kernel::scatter(normals_, field_of(set), range, [&](const auto& to) {
+        chunks<for_gradients>(set, range, [&](const auto& c) { kernel::scatter_normal(set.columns, c, to); });
       });
     });
     complete(normals_, 0);
@@ -588,14 +611,14 @@ private:
   }
   /// The velocity that constrain() looks at, component d of node value i.
   template <bool Before> T free_velocity(std::size_t i, int d) const {
-    return motion_[dim + d][i] + (Before || !Transfer::affine ? motion_[d][i] : T(0));
+    return motion_(dim + d, i) + (Before || !Transfer::affine ? motion_(d, i) : T(0));
   }
   void change_velocity(forces& by, std::size_t i, int d, T change) {
-    motion_[dim + d][i] += change;
-    by[d][i] += sums_[0][i] * change / dt;
+    motion_(dim + d, i) += change;
+    by(d, i) += sums_(0, i) * change / dt;
   }
   template <bool Before> void push(const grid::moving_wall& w, std::size_t i) {
-    if (!(sums_[0][i] > T(0)) || !w.approaches(this->template free_velocity<Before>(i, w.axis))) return;
+    if (!(sums_(0, i) > T(0)) || !w.approaches(this->template free_velocity<Before>(i, w.axis))) return;
     for (int d = 0; d < dim; ++d)
       if (d == w.axis || w.stick) change_velocity(wall_forces_, i, d, (d == w.axis ? static_cast<T>(w.velocity) : T(0)) - this->template free_velocity<Before>(i, d));
   }
@@ -605,10 +628,10 @@ private:
     T mass = 0;
     std::array<T, dim> mean{}; // velocity of the centre of mass
     for (std::size_t at = place; at < column_size(); at += node_count())
-      if (sums_[0][at] > T(0)) {
+      if (sums_(0, at) > T(0)) {
         bodies[count++] = at;
-        mass += sums_[0][at];
-        for (std::size_t d = 0; d < dim; ++d) mean[d] += sums_[0][at] * this->template free_velocity<Before>(at, static_cast<int>(d));
+        mass += sums_(0, at);
+        for (std::size_t d = 0; d < dim; ++d) mean[d] += sums_(0, at) * this->template free_velocity<Before>(at, static_cast<int>(d));
       }
     if (count < 2) return;
     for (auto& v : mean) v /= mass;
@@ -617,10 +640,10 @@ private:
     T length = 0;
     for (std::size_t b = 0; b < 2 && count == 2; ++b) {
       T squares = 0;
-      for (int d = 0; d < dim; ++d) squares += square(normals_[d][bodies[b]]);
+      for (int d = 0; d < dim; ++d) squares += square(normals_(d, bodies[b]));
       if (!(squares > length)) continue;
       length = squares;
-      for (int d = 0; d < dim; ++d) n[static_cast<std::size_t>(d)] = (b == 0 ? T(1) : T(-1)) * normals_[d][bodies[b]];
+      for (int d = 0; d < dim; ++d) n[static_cast<std::size_t>(d)] = (b == 0 ? T(1) : T(-1)) * normals_(d, bodies[b]);
     }
     const T inverse = length > T(0) ? T(1) / std::sqrt(length) : T(0);
     for (std::size_t b = 0; b < count; ++b) {
@@ -649,18 +672,18 @@ private:
   void scatter_body_forces() {
     clear(external_);
     sweep([this](auto& set, auto& range, update_report&) {
-      kernel::scatter(external_, field_of(set), range, [&](auto& win) {
-        chunks(set, range, [&](const auto& c) {
+      kernel::scatter(external_, field_of(set), range, [&](const auto& to) {
+        chunks<wants{}>(set, range, [&](const auto& c) {
           typename kernel::template scratch<dim> force;
           for (int k = 0; k < c.n; ++k) {
             const auto b = body_force_on(set.columns, c.begin + static_cast<std::size_t>(k));
             for (int d = 0; d < dim; ++d) force[d][k] = static_cast<T>(b[d]);
           }
-          kernel::template scatter_values<dim>(set.columns, c, win, [&](int d) { return force[d]; });
+          kernel::scatter_values(set.columns, c, force, to);
         });
       });
     });
-    give_momentum([this](std::size_t i, int d) { return static_cast<double>(external_[d][i]); }); // of the real particles: before the boundaries
+    give_momentum([this](std::size_t i, int d) { return static_cast<double>(external_(d, i)); }); // of the real particles: before the boundaries
     complete(external_, 0);
   }
   bool is_image(std::size_t at) const {
@@ -672,22 +695,11 @@ private:
     return false;
   }
 
-  template <class Set, class F> BOLIDE_INLINE void chunks(const Set& set, const block_range<dim>& range, F&& f) const { kernel::chunks(set, range, h, f); }
+  template <wants Wanted, class Set, class F> BOLIDE_INLINE void chunks(const Set& set, const block_range<dim>& range, F&& f) const {
+    kernel::template chunks<Wanted>(set, range, h, f);
+  }
 
   // ---- what particles do -------------------------------------------------------------------------------------------------------
-  /// Gradient of `first` times the first velocity of the nodes plus `second` times the second.
-  template <class Columns, class Window, class Scratch>
-  static BOLIDE_INLINE void velocity_gradient(const Columns& p, const typename kernel::chunk& c, const T* inverse_r, const Window& nodes, T first, T second, Scratch& l) {
-    kernel::velocity_gradient(p, c, inverse_r, l, [&](int d, const tile& t, int n) {
-      return first * kernel::template at_node<2 * dim>(nodes, d, t, n) + second * kernel::template at_node<2 * dim>(nodes, dim + d, t, n);
-    });
-  }
-  /// Gradient of the first vector of the node values.
-  template <class Columns, int N, class Scratch>
-  static BOLIDE_INLINE void initial_gradient(const Columns& p, const typename kernel::chunk& c, const T* inverse_r, const grid::window<dim, T, N>& nodes, Scratch& l) {
-    kernel::velocity_gradient(p, c, inverse_r, l, [&](int d, const tile& t, int n) { return kernel::template at_node<N>(nodes, d, t, n); });
-  }
-
   /// m b(x_p, t)
   template <class Columns> vec<double, dim> body_force_on(const Columns& p, std::size_t i) const {
     vec<double, dim> x, total = vec<double, dim>::Zero();
@@ -696,13 +708,14 @@ private:
     return total * static_cast<double>(p.template get<field::mass>()[i]);
   }
   /// FLIP: v_p += sum N dv, carried along with sum N (v + dv); m dv_p goes back to the nodes.
-  template <class Columns, class Window, class Back>
-  BOLIDE_INLINE void add_change(Columns& p, const typename kernel::chunk& c, const Window& nodes, Back& win, update_report& report) const {
+  template <class Columns, class Nodes, class Back>
+  BOLIDE_INLINE void add_change(Columns& p, const typename kernel::chunk_type& c, const Nodes& nodes, const Back& back, update_report& report) const {
     typename kernel::template scratch<2 * dim> seen; // v and dv
-    kernel::template mean<2 * dim>(p, c, nodes, seen);
+    [[maybe_unused]] typename kernel::template scratch<dim> given; // m dv_p
+    kernel::mean(p, c, nodes, seen);
     [[maybe_unused]] typename kernel::template scratch<1> spread_squares;
     if constexpr (Transfer::filter_order == 1)
-      kernel::template mean_square<2 * dim>(p, c, nodes, [&](int d) { return p.template get<field::velocity>(d); }, spread_squares[0]);
+      kernel::mean_square(p, c, nodes, [&](int d) { return p.template get<field::velocity>(d); }, spread_squares[0]);
     detail::lane_sum<V> kinetic_gain;
     for (int k = 0; k < c.n; k += lane_width<V>) {
       const std::size_t at = c.begin + static_cast<std::size_t>(k);
@@ -716,12 +729,12 @@ private:
         gain += dv * (v + T(0.5) * dv);
         store_first(v + dv, velocity, n);
         store_first(mean + dv, p.template get<field::carrying_velocity>(d) + at, n);
-        store(m * dv, seen[dim + d] + k);
+        store(m * dv, given[d] + k);
       }
       kinetic_gain.add(m * gain, n);
     }
     report.kinetic_gain += kinetic_gain.total();
-    if constexpr (maps_back) kernel::template scatter_values<dim>(p, c, win, [&](int d) { return seen[dim + d]; });
+    if constexpr (maps_back) kernel::scatter_values(p, c, given, back);
   }
 
   /// Takes filter() r, r = (1 - S S+)^m v, from the velocity of n particles before they take the change dv of the grid, and returns what that
@@ -767,12 +780,12 @@ private:
       if (!last) clear(next_residual_);
       sweep([&](auto& set, auto& range, update_report&) {
         if (sleeps_on(set, range)) return;
-        const auto run = [&](auto& nodes) {
-          const auto one_map = [&](auto* to) {
-            chunks(set, range, [&](const auto& c) { apply_filter(set.columns, c, nodes, to, j); });
+        const auto run = [&](const auto& nodes) {
+          const auto one_map = [&](const typename kernel::template sink<dim>* to) {
+            chunks<wants{}>(set, range, [&](const auto& c) { apply_filter(set.columns, c, nodes, to, j); });
           };
-          if (last) one_map(static_cast<typename kernel::template scatter_window<dim>*>(nullptr));
-          else kernel::scatter(next_residual_, field_of(set), range, [&](auto& win) { one_map(&win); });
+          if (last) one_map(nullptr);
+          else kernel::scatter(next_residual_, field_of(set), range, [&](const auto& to) { one_map(&to); });
         };
         if (j == 1) kernel::gather(motion_, field_of(set), range, run);
         else kernel::gather(residual_, field_of(set), range, run);
@@ -782,22 +795,23 @@ private:
       each_row([this](std::size_t first, std::size_t end) {
         for (int d = 0; d < dim; ++d)
           for (std::size_t i = first; i < end; ++i)
-            if (sums_[0][i] > T(0)) next_residual_[d][i] /= sums_[0][i];
+            if (sums_(0, i) > T(0)) next_residual_(d, i) /= sums_(0, i);
       });
       std::swap(residual_, next_residual_);
     }
   }
   /// r_j = r_(j-1) - S S+ r_(j-1) for the particles of a chunk; `nodes` hold S+ r_(j-1), and m r_j goes `to` the nodes of the next round.
-  template <class Columns, int N, class To>
-  BOLIDE_INLINE void apply_filter(Columns& p, const typename kernel::chunk& c, const grid::window<dim, T, N>& nodes, To* to, int j) const {
+  template <class Columns, class Nodes, class To>
+  BOLIDE_INLINE void apply_filter(Columns& p, const typename kernel::chunk_type& c, const Nodes& nodes, const To* to, int j) const {
     constexpr int order = Transfer::filter_order;
     T* const loss = p.template get<field::filter_loss>() + c.begin;
     const bool whole = order % 2 == 0 && j == order / 2, half = order % 2 == 1 && j == (order + 1) / 2;
     const auto before = [&](int d) { return j == 1 ? p.template get<field::velocity>(d) : p.template get<field::velocity_residual>(d); };
-    typename kernel::template scratch<N> mean;
+    typename kernel::template scratch<Nodes::components> mean;
     typename kernel::template scratch<1> squares;
-    kernel::template mean<N>(p, c, nodes, mean);
-    if (half) kernel::template mean_square<N>(p, c, nodes, before, squares[0]);
+    typename kernel::template scratch<dim> given; // m r_j
+    kernel::mean(p, c, nodes, mean);
+    if (half) kernel::mean_square(p, c, nodes, before, squares[0]);
     for (int k = 0; k < c.n; k += lane_width<V>) {
       const std::size_t at = c.begin + static_cast<std::size_t>(k);
       const int n = std::min(c.n - k, lane_width<V>);
@@ -807,19 +821,19 @@ private:
         const V next = load<V>(before(d) + at) - load<V>(mean[d] + k);
         store_first(next, p.template get<field::velocity_residual>(d) + at, n);
         square_sum += next * next;
-        store(m * next, mean[d] + k);
+        store(m * next, given[d] + k);
       }
       if (whole) store_first(square_sum, loss + k, n);
       if (half) store_first(load<V>(squares[0] + k), loss + k, n);
     }
-    if (to) kernel::template scatter_values<dim>(p, c, *to, [&](int d) { return mean[d]; });
+    if (to) kernel::scatter_values(p, c, given, *to);
   }
 
   /// APIC: velocity and affine field from the grid; what is lost on both ways becomes heat:
   ///   to the grid    1/2 sum N |v_I - v_p - C dx|^2 = 1/2 (sum N |b|^2 - 2 C : M + inertia |C|^2),  b = v_I - v_p, M = sum N b dx^T
   ///   from the grid  1/2 sum N |v'_I - v'_p - C' dx|^2 = 1/2 (sum N |b'|^2 - |sum N b'|^2 - inertia |C'|^2),  b' = v'_I - v_p
   /// as sums relative to the old velocity: squares of differences, not of speeds.
-  template <class Columns, class Window> BOLIDE_INLINE void take_affine(Columns& p, const typename kernel::chunk& c, const Window& nodes, update_report& report) const {
+  template <class Columns, class Nodes> BOLIDE_INLINE void take_affine(Columns& p, const typename kernel::chunk_type& c, const Nodes& nodes, update_report& report) const {
     const T cell = static_cast<T>(h), inertia = cell * cell * T(Shape::inertia);
     typename kernel::template scratch<kernel::moments> sum;
     kernel::affine_moments(p, c, nodes, sum, cell);

@@ -31,7 +31,7 @@ template <class Shape> void add(const map2& map, values& sums, const point& p) {
       const auto node = map.node({first[0] + i, first[1] + j});
       ASSERT_GE(node, 0);
       const double w = n[0][i] * n[1][j];
-      for (int c = 0; c < 3; ++c) sums[c][node] += w * (c == 0 ? 1 : p.v[c - 1]);
+      for (int c = 0; c < 3; ++c) sums(c, static_cast<std::size_t>(node)) += w * (c == 0 ? 1 : p.v[c - 1]);
     }
 }
 
@@ -82,8 +82,8 @@ TYPED_TEST(Mirror, GivesWhatParticlesAndTheirImagesGive) {
         if (TypeParam::support == 2 && depth > 0) continue; // linear shapes reach no image node: what lies there is never read
         const double share = depth == 0 ? 0.5 : 1;          // a node on the plane belongs to both halves
         for (int c = 0; c < 3; ++c) {
-          const double expected = depth == 0 && c == 1 + plane.axis ? 0 : share * reference[c][node];
-          EXPECT_NEAR(ours[c][node], expected, 1e-12) << "node " << at[0] << " " << at[1] << " component " << c;
+          const double expected = depth == 0 && c == 1 + plane.axis ? 0 : share * reference(c, static_cast<std::size_t>(node));
+          EXPECT_NEAR(ours(c, static_cast<std::size_t>(node)), expected, 1e-12) << "node " << at[0] << " " << at[1] << " component " << c;
         }
       }
     EXPECT_GT(images, 0);
@@ -118,8 +118,8 @@ TYPED_TEST(Mirror, TwoPlanesFoldIntoACorner) {
       const auto node = static_cast<std::size_t>(map.node({i, j}));
       const double share = (i == 0 ? 0.5 : 1) * (j == 0 ? 0.5 : 1);
       for (int c = 0; c < 3; ++c) {
-        const double expected = (c == 1 && i == 0) || (c == 2 && j == 0) ? 0 : share * reference[c][node];
-        EXPECT_NEAR(ours[c][node], expected, 1e-12) << i << " " << j << " component " << c;
+        const double expected = (c == 1 && i == 0) || (c == 2 && j == 0) ? 0 : share * reference(c, static_cast<std::size_t>(node));
+        EXPECT_NEAR(ours(c, static_cast<std::size_t>(node)), expected, 1e-12) << i << " " << j << " component " << c;
       }
     }
 }

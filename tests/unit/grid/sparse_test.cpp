@@ -103,12 +103,12 @@ TYPED_TEST(SparseGrid, NegativeCellsBelongToNegativeBlocks) {
   EXPECT_EQ(fixture::blocks::block_of(at), block);
 }
 
-/// for_each_run covers each node of a range exactly once, pairs the right window entry with the right column entry.
+/// for_each_run covers each node of a range exactly once and pairs it with its place in the window; window::nodes lists the same.
 TYPED_TEST(SparseGrid, RunsPairWindowAndColumnNodes) {
   using fixture = SparseGrid<TypeParam>;
   using map_type = typename fixture::blocks;
   constexpr int dim = fixture::axes;
-  using win = window<dim, double>;
+  using win = window<dim>;
   map_type map;
   const auto occupied = fixture::some_blocks();
   map.rebuild(occupied);
@@ -124,6 +124,7 @@ TYPED_TEST(SparseGrid, RunsPairWindowAndColumnNodes) {
       range.low[d] = std::min(a, b);
       range.high[d] = std::max(a, b);
     }
+    const auto nodes = win::nodes(map.neighbourhood(block));
     std::map<std::int32_t, int> pairs; // column node -> window offset
     for_each_run<dim>(map.neighbourhood(block), range, [&](std::int32_t node, int at, int count) {
       for (int i = 0; i < count; ++i) EXPECT_TRUE(pairs.emplace(node + i, at + i).second) << "a node was met twice";
@@ -140,6 +141,7 @@ TYPED_TEST(SparseGrid, RunsPairWindowAndColumnNodes) {
       EXPECT_EQ(found->second, win::offset(at));
       EXPECT_LT(found->second, win::size);
       EXPECT_GE(found->second, 0);
+      EXPECT_EQ(nodes[static_cast<std::size_t>(found->second)], found->first);
       int d = dim - 1;
       for (; d >= 0; --d) {
         if (++at[static_cast<std::size_t>(d)] <= range.high[static_cast<std::size_t>(d)]) break;
@@ -155,7 +157,7 @@ TYPED_TEST(SparseGrid, WindowsOfOneColourAreDisjoint) {
   using fixture = SparseGrid<TypeParam>;
   using map_type = typename fixture::blocks;
   constexpr int dim = fixture::axes;
-  using win = window<dim, double>;
+  using win = window<dim>;
   map_type map;
   const auto occupied = fixture::some_blocks();
   map.rebuild(occupied);

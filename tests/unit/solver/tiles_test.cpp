@@ -96,6 +96,7 @@ TEST(Tiles, ArrangingARangeChangesNoParticle) {
       const std::size_t disordered = r.tiles.size();
       set.arrange(r, sim.cell());
       EXPECT_EQ(rows(r), before);
+      if (r.tiles.empty()) continue; // too few particles fill a tile
       EXPECT_LE(r.tiles.size(), disordered);
       std::size_t held = 0;
       for (const auto& t : r.tiles) held += static_cast<std::size_t>(t.count);
