@@ -9,6 +9,7 @@
 #include "bolide/solver/solver.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,7 +19,7 @@ namespace impact {
 template <class T, class Shape, class Transfer, class Scheme> class composition final : public simulation {
 public:
   composition(const settings& s, const chosen_material<T>& ball, const chosen_material<T>& plate)
-      : thermal_energy_{ball.thermal_energy, plate.thermal_energy}, solver_(make_solver(s, ball, plate)) {
+      : two_sizes_(s.coarse_beyond.has_value()), thermal_energy_{ball.thermal_energy, plate.thermal_energy, plate.thermal_energy}, solver_(make_solver(s, ball, plate)) {
     if (s.box) {
       bolide::leaving_box<2> b;
       b.low << -s.box->r_max, s.box->z_min;
@@ -41,7 +42,11 @@ public:
   double geometric_mass() const override { return solver_.geometric_mass(); }
   int threads() const override { return solver_.threads(); }
   const bolide::ledger& energies() override { return solver_.energies(); }
-  bolide::observe::snapshot snapshot() const override { return bolide::observe::take_snapshot(solver_); }
+  bolide::observe::snapshot snapshot() const override {
+    auto shot = bolide::observe::take_snapshot(solver_);
+    if (!two_sizes_) shot.body_names.pop_back(); // a rim without particles
+    return shot;
+  }
 
 #if defined(BOLIDE_HDF5)
   void archive(bolide::hdf5::writer& a) override { solver_.archive(a); }
@@ -77,27 +82,46 @@ public:
 
 private:
   using material_type = bolide::any_material<T, bolide::space::axisymmetric>;
-  using solver_type = bolide::solver<T, bolide::space::axisymmetric, bolide::grid::sparse, Shape, Transfer, Scheme, bolide::contact::single_field, material_type, material_type>;
+  using solver_type = bolide::solver<T, bolide::space::axisymmetric, bolide::grid::sparse, Shape, Transfer, Scheme, bolide::contact::single_field, material_type, material_type, material_type>;
 
-  /// The sphere touches the plate at the origin and flies along z.
+  /// The plate between two radii; of no width: no particle.
+  struct part_of_plate {
+    static constexpr int dim = 2;
+    double from, to, thickness;
+    bolide::vec<double, 2> anchor() const { return low(); }
+    bolide::vec<double, 2> low() const { return {from, 0}; }
+    bolide::vec<double, 2> high() const { return {to, thickness}; }
+    bool contains(const bolide::vec<double, 2>& x, double) const { return x[0] > from && x[0] < to && x[1] > 0 && x[1] < thickness; }
+    double volume(bool) const { return std::numbers::pi * (to * to - from * from) * thickness; }
+  };
+
+  /// The sphere touches the plate at the origin and flies along z. The rim, of wider particles, is welded to the target: they share one velocity field.
   static solver_type make_solver(const settings& s, const chosen_material<T>& ball, const chosen_material<T>& plate) {
     using namespace bolide;
     using point = vec<double, 2>;
-    const double radius = s.diameter / 2;
+    const double radius = s.diameter / 2, seam = s.coarse_beyond.value_or(s.plate_radius);
     const jitter shaken{s.jitter, s.seed}, shaken_otherwise{s.jitter, s.seed + 0x9e3779b97f4a7c15u};
     const body projectile{"projectile", sphere{point{0, -radius}, radius},        ball.material,
                           s.spacing,    initial_state{ball.density, ball.energy}, point{0, s.velocity},
                           shaken};
-    const body target{"target",        box{point{0, 0}, point{s.plate_radius, s.thickness}}, plate.material,
-                      s.spacing,       initial_state{plate.density, plate.energy},           point{0, 0},
+    const body target{"target",  part_of_plate{0, seam, s.thickness},        plate.material,
+                      s.spacing, initial_state{plate.density, plate.energy}, point{0, 0},
                       shaken_otherwise};
+    const body rim{"rim",
+                   part_of_plate{seam, s.plate_radius, s.thickness},
+                   plate.material,
+                   s.coarse_beyond ? coarse_spacing(s) : s.spacing,
+                   initial_state{plate.density, plate.energy},
+                   point{0, 0},
+                   jitter{s.jitter, s.seed + 2 * 0x9e3779b97f4a7c15u}};
     controls<T> c;
     c.courant = s.cfl;
     c.threads = s.threads;
     c.step_cap = s.step_cap;
-    return solver_type{space::axisymmetric{}, grid::sparse{s.cell}, Shape{}, Transfer{}, Scheme{}, c, projectile, target};
+    return solver_type{space::axisymmetric{}, grid::sparse{s.cell}, Shape{}, Transfer{}, Scheme{}, c, projectile, target, rim};
   }
 
+  bool two_sizes_;
   std::vector<decltype(chosen_material<T>::thermal_energy)> thermal_energy_;
   solver_type solver_;
 };

@@ -116,6 +116,13 @@ void read_box(settings& s, std::string_view text, std::string_view label) {
   s.box = b;
 }
 
+void read_coarse_beyond(settings& s, std::string_view text, std::string_view label) {
+  if (text == "none") return void(s.coarse_beyond.reset());
+  const double r = parse(text, dimension::length, label);
+  if (!(r > 0 && r <= 10)) throw bad_parameter(quoted(label, text) + "must be more than 0m and at most 10m, or none");
+  s.coarse_beyond = r;
+}
+
 void read_fields(settings& s, std::string_view text, std::string_view label) {
   static const std::vector<std::string_view> known = {
       "velocity",      "mass",   "volume", "density",       "energy",         "pressure",     "temperature", "melting_temperature",
@@ -170,6 +177,8 @@ std::vector<option> make_options() {
                }});
   o.push_back(positive("spacing", "LENGTH", "distance of the particles", numerics, dimension::length, &settings::spacing, 1));
   o.push_back(positive("cell", "LENGTH", "cell of the grid", numerics, dimension::length, &settings::cell, 1));
+  o.push_back({"coarse-beyond", "RADIUS|none", "particles of 0.75 cells in the plate outside this radius", numerics, true, read_coarse_beyond,
+               [](const settings& s) { return s.coarse_beyond ? format(*s.coarse_beyond, dimension::length) : std::string("none"); }});
   o.push_back({"cfl", "NUMBER", "Courant number, of h/(c + |v|)", numerics, true,
                [](settings& s, str text, str label) { s.cfl = number(text, label, 0, 1.5, false); },
                [](const settings& s) { return to_text(s.cfl); }});
@@ -275,6 +284,11 @@ void check(const settings& s) {
   relate(s.plate_radius >= s.diameter / 2, "plate-radius", s.plate_radius, "at least half of the diameter,", s.diameter / 2);
   relate(s.cell >= s.spacing, "cell", s.cell, "at least the spacing,", s.spacing);
   relate(s.cell <= 16 * s.spacing, "cell", s.cell, "at most 16 times the spacing,", 16 * s.spacing);
+  if (s.coarse_beyond) {
+    relate(*s.coarse_beyond < s.plate_radius, "coarse-beyond", *s.coarse_beyond, "less than the plate's radius,", s.plate_radius);
+    relate(*s.coarse_beyond >= s.diameter / 2, "coarse-beyond", *s.coarse_beyond, "at least half of the diameter,", s.diameter / 2);
+    relate(s.spacing < coarse_spacing(s), "spacing", s.spacing, "with --coarse-beyond less than that of the rim,", coarse_spacing(s));
+  }
   const double particles = (0.3927 * s.diameter * s.diameter + s.plate_radius * s.thickness) / (s.spacing * s.spacing);
   require(particles <= 1e8, "--spacing: number of particles", std::round(particles), "at most 1e8");
 }

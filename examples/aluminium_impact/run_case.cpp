@@ -257,7 +257,7 @@ void check_outcome(outcome& o) {
   say(residual <= bound);
   const settings d;
   const bool lattice = o.used.diameter == d.diameter && o.used.thickness == d.thickness && o.used.plate_radius == d.plate_radius &&
-                       o.used.spacing == d.spacing;
+                       o.used.spacing == d.spacing && !o.used.coarse_beyond;
   if (lattice) {
     std::snprintf(text, sizeof text, "the lattice has %zu particles, expected 58010", o.particles);
     say(o.particles == 58010);

@@ -4,6 +4,7 @@
 
 #include "bolide/core/unit.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -36,6 +37,7 @@ struct settings {
   double viscosity_quadratic = 1.5, viscosity_linear = 0.06;
   // the discretisation
   double spacing = 0.05 * bolide::unit::mm, cell = 0.1 * bolide::unit::mm;
+  std::optional<double> coarse_beyond; // m: plate outside this radius has the widest particles that the cell allows
   double cfl = 0.4;
   std::string shape = "bspline", transfer = "apic", scheme = "usf", precision = "double";
   double jitter = 0; // of the spacing
@@ -53,6 +55,9 @@ struct settings {
   std::optional<checkpoint_interval> checkpoint_every; // empty: no checkpoints
   std::string restart;                                 // checkpoint to go on from; empty: from the start
 };
+
+/// Particles of the plate's rim: as wide as the solver allows (0.75 cells) and whole layers over the thickness.
+inline double coarse_spacing(const settings& s) { return s.thickness / std::ceil(s.thickness / (0.75 * s.cell) * (1 - 1e-9)); }
 
 /// Coarser lattice and grid, one ParaView frame: the same cloud in seconds.
 inline void make_quick(settings& s) {

@@ -90,6 +90,10 @@ TEST_F(AluminiumImpact, BadValuesAreRefusedWithASentenceAndNothingIsWritten) {
       {"--cell 0.1", {"--cell", "no unit"}},
       {"--cell 0.01mm", {"--cell", "0.01mm", "at least the spacing", "0.05mm"}},
       {"--cell 1mm", {"--cell", "1mm", "16 times the spacing", "0.8mm"}},
+      {"--coarse-beyond 20", {"--coarse-beyond", "no unit"}},
+      {"--coarse-beyond 50mm", {"--coarse-beyond", "50mm", "less than the plate's radius"}},
+      {"--coarse-beyond 4mm", {"--coarse-beyond", "4mm", "half of the diameter", "4.75mm"}},
+      {"--coarse-beyond 20mm --cell 0.05mm", {"--spacing", "--coarse-beyond", "less than that of the rim"}},
       {"--until 6.6", {"--until", "no unit", "us"}},
       {"--until 0us", {"--until", "0us", "more than 0"}},
       {"--cfl 1.6", {"--cfl", "1.6", "at most 1.5", "no unit"}},
@@ -177,7 +181,7 @@ TEST_F(AluminiumImpact, HelpListsEveryOptionWithItsDefault) {
        {"--eos",       "--compare",      "--projectile", "--target",    "--list-materials", "--config", "--diameter", "--velocity",
         "--thickness", "--plate-radius", "--spacing",    "--cell",      "--until",          "--cfl",    "--shape",    "--scheme",
         "--transfer",  "--tension",      "--viscosity",  "--precision", "--initial",        "--jitter", "--seed",     "--box",
-        "--threads",   "--out",          "--quick",      "--help",      "--version",        "--frames", "--fields",   "--ensemble"})
+        "--threads",   "--out",          "--quick",      "--coarse-beyond", "--help",      "--version",        "--frames", "--fields",   "--ensemble"})
     expect_names(a.out, {option});
   expect_names(a.out, {"9.5mm", "6.64km/s", "2.2mm", "50mm", "0.05mm", "0.1mm", "6.6us", "1.5GPa", "1.5,0.06", "Exit codes"});
 }
@@ -413,6 +417,20 @@ TEST_F(AluminiumImpact, EnsembleGivesMeanAndScatter) {
   EXPECT_GT(deviation, 0);
   EXPECT_NEAR(e["measures"]["width_mm"]["standard_deviation"].get<double>(), deviation, 1e-6 * deviation);
   expect_names(a.out, {"+-"});
+}
+
+TEST_F(AluminiumImpact, CoarseRimHasFewerParticlesAndTheSameCloud) {
+  const std::string scene = "--spacing 0.2mm --cell 0.4mm --until 4us --threads 1 --frames 0 --pictures none ";
+  ASSERT_EQ(run(scene + "--out fine").code, 0);
+  const auto a = run(scene + "--out two --coarse-beyond 20mm");
+  ASSERT_EQ(a.code, 0) << a.err;
+  const json fine = summary("fine"), two = summary("two");
+  EXPECT_EQ(two["settings"]["coarse-beyond"], "20mm");
+  EXPECT_EQ(fine["particles"].get<int>() - two["particles"].get<int>(), 150 * 11 - 109 * 8) << "rim: 8 layers of 0.275 mm for 11 of 0.2 mm";
+  EXPECT_NEAR(two["mass_discrete_kg"].get<double>(), fine["mass_discrete_kg"].get<double>(), 1e-3 * fine["mass_discrete_kg"].get<double>());
+  for (const char* measure : {"length_plate_to_front_mm", "width_mm", "hole_diameter_mm", "front_speed_m_s"})
+    EXPECT_NEAR(two[measure].get<double>(), fine[measure].get<double>(), 0.01 * fine[measure].get<double>()) << measure;
+  EXPECT_LE(std::abs(two["ledger_residual_relative"].get<double>()), 1e-9);
 }
 
 TEST_F(AluminiumImpact, NothingDownstreamIsNoNumberAndNoFailure) {
