@@ -15,7 +15,9 @@
 #include "block_scene.hpp"
 #include "hand_written.hpp"
 #include "limits.hpp"
+#include "paper_scene.hpp"
 
+#include "bolide/grid/uniform.hpp"
 #include "bolide/strength/johnson_cook.hpp"
 
 #if defined(__GLIBC__)
@@ -434,6 +436,56 @@ void xyz_1m_quadratic(session& s) {
         {book<double, textbook::quadratic>("textbook double", scene), composed<double, bspline>("composed double", scene)}, 20, 7, 2);
   s.figure("1M, 3-D 27-node double: speed over the textbook solver", s.speed_up("composed double"), 3, 5);
 }
+/// The paper's scene, and what empty space around it costs: specks of material in the corners of a box of 560 x 900 cells. To compare with, the textbook
+/// solver, which sweeps its whole grid, with a block of as many particles in a tight box and in that one.
+template <class Grid> contestant in_space(const std::string& name, const Grid& grid, bool specks, bool box) {
+  scenes::paper scene;
+  scene.specks = specks;
+  const double before = heap_bytes();
+  const auto sim = std::make_shared<decltype(scenes::composed(scene, grid))>(scenes::composed(scene, grid));
+  if (box) sim->add(leaving_box<2>{-scene.high(), scene.high()}); // never reached: what is asked of every particle is the cost
+  contestant c{name, static_cast<double>(sim->particle_count()), 0, {}, {}, {}};
+  c.advance = [sim](int steps) {
+    for (int i = 0; i < steps; ++i) sim->step();
+  };
+  c.kinetic_energy = [sim] { return sim->energies().now.kinetic; };
+  c.advance(1);
+  c.bytes = (heap_bytes() - before) / c.particles;
+  return c;
+}
+contestant book_in_space(const std::string& name, const scenes::block<2>& scene) {
+  const double before = heap_bytes();
+  const scenes::paper wide;
+  using solver_type = textbook::rz<double, textbook::linear>;
+  const auto sim = std::make_shared<solver_type>(scene.metal, textbook::box<2>{{scene.corner() - scene.margin * scene.h, scene.corner() - scene.margin * scene.h},
+                                                                               {wide.cells_r + 1, wide.cells_z + 1}, scene.h});
+  sim->particles = scenes::by_the_book<double, textbook::linear>(scene).particles;
+  contestant c{name, static_cast<double>(sim->particles.size()), 0, {}, {}, {}};
+  c.advance = [sim, dt = scene.dt()](int steps) {
+    for (int i = 0; i < steps; ++i) sim->step(dt);
+  };
+  c.kinetic_energy = [sim] { return kinetic_energy_of_book<solver_type, double>(*sim); };
+  c.advance(1);
+  c.bytes = (heap_bytes() - before) / c.particles;
+  return c;
+}
+void empty_space(session& s) {
+  const double h = scenes::paper().h;
+  s.run("paper's scene",
+        {in_space("sparse, tight", grid::sparse{h}, false, false), in_space("sparse, leaving", grid::sparse{h}, false, true),
+         in_space("sparse, 560 x 900", grid::sparse{h}, true, true), in_space("uniform, tight", grid::uniform{h}, false, false),
+         in_space("uniform, 560x900", grid::uniform{h}, true, true)},
+        300, 15, 15);
+  s.figure("paper's scene in a box of 560 x 900 cells over a tight one, sparse grid", 1 / s.speed_up("sparse, 560 x 900"), 1.2, 1.05, false);
+  const double uniform = s.speed_up("uniform, tight") / s.speed_up("uniform, 560x900");
+  std::printf("  uniform grid, 560 x 900 over tight: %.3f\n", uniform);
+  s.out.ratios.push_back(entry().add("measure", "uniform grid, 560 x 900 over tight").add("value", uniform));
+  const scenes::block<2> block{120};
+  s.run("block in empty space", {book<double, textbook::linear>("textbook, tight", block), book_in_space("textbook, 560x900", block)}, 60, 11, 10);
+  const double dense = 1 / s.speed_up("textbook, 560x900");
+  std::printf("  a dense grid swept whole (textbook), 560 x 900 over tight: %.2f\n", dense);
+  s.out.ratios.push_back(entry().add("measure", "textbook solver, 560 x 900 over tight").add("value", dense));
+}
 /// The cost per particle from 1e4 to 1e7.
 void scaling(session& s) {
   std::map<std::string, std::vector<double>> times;
@@ -467,7 +519,7 @@ int main(int argc, char** argv) {
     else if (i + 1 < argc && option == "--most") s.most = std::atof(argv[++i]);
     else {
       std::printf("usage: benchmark_ratios [--out FILE.json] [--only TEXT] [--repeats N] [--most PARTICLES]\n"
-                  "  groups: limits flops rz_58k rz_58k_elastic rz_58k_quadratic rz_1m xyz_1m xyz_1m_quadratic scaling johnson_cook\n");
+                  "  groups: limits flops rz_58k rz_58k_elastic rz_58k_quadratic rz_1m xyz_1m xyz_1m_quadratic empty scaling johnson_cook\n");
       return 2;
     }
   }
@@ -489,6 +541,7 @@ int main(int argc, char** argv) {
     if (s.wants("xyz_1m")) xyz_1m(s);
     if (s.wants("xyz_1m_quadratic")) xyz_1m_quadratic(s);
   }
+  if (s.wants("empty")) empty_space(s);
   if (s.wants("scaling")) scaling(s);
   s.print_figures();
   if (!file.empty()) s.out.write(file);
