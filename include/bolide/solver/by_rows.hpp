@@ -186,28 +186,30 @@ template <class T, class Space, class Shape> struct by_rows {
       (rows<N>::row::load(to) + b).store(to);
     };
   }
-  template <int N> static BOLIDE_INLINE auto reader(const T* column) {
-    return [column](std::int32_t node) __attribute__((always_inline)) { return rows<N>::row::load(column + static_cast<std::ptrdiff_t>(node) * rows<N>::width); };
+  /// The first M of N components.
+  template <int N, int M = N> static BOLIDE_INLINE auto reader(const T* column) {
+    return [column](std::int32_t node) __attribute__((always_inline)) { return rows<M>::row::load(column + static_cast<std::ptrdiff_t>(node) * rows<N>::width); };
   }
 
   // ---- from the nodes ---------------------------------------------------------------------------------------------------------------
-  template <int N> static void velocity_gradient(const chunk_type& c, const T* column, T first, T second, scratch<Space::gradient_size>& l) {
-    rows<N> along[dim];
-    rows<Space::hoop ? N : 1> hoop;
+  template <bool Both, int N> static void velocity_gradient(const chunk_type& c, const T* column, T first, T second, scratch<Space::gradient_size>& l) {
+    constexpr int M = Both ? N : dim;
+    rows<M> along[dim];
+    rows<Space::hoop ? M : 1> hoop;
     each_particle(c, [&](int k, const std::int32_t* node) __attribute__((always_inline)) {
       const auto g = [&]() __attribute__((always_inline)) {
-        if constexpr (straight) return differences_over<0>(c, k, node, reader<N>(column));
-        else return slopes_over<by_slope, 0>(c, k, node, reader<N>(column));
+        if constexpr (straight) return differences_over<0>(c, k, node, reader<N, M>(column));
+        else return slopes_over<by_slope, 0>(c, k, node, reader<N, M>(column));
       }();
       for (int d = 0; d < dim; ++d) along[d].put(k, g.along[d]);
       if constexpr (Space::hoop) hoop.put(k, g.hoop);
     });
     const auto combined = [&](const V* b, int i) __attribute__((always_inline)) {
-      if constexpr (N > dim) return first * b[i] + second * b[dim + i];
+      if constexpr (Both) return first * b[i] + second * b[dim + i];
       else return b[i];
     };
     each_register(c, [&](int k) __attribute__((always_inline)) {
-      V b[rows<N>::width];
+      V b[rows<M>::width];
       for (int d = 0; d < dim; ++d) {
         along[d].lanes(k, b);
         for (int i = 0; i < dim; ++i) store(combined(b, i) * c.inverse_h, l[i * dim + d] + k);

@@ -116,7 +116,7 @@ template <class T, class Space, class Shape> struct by_tiles {
   template <int N> static BOLIDE_INLINE V at_node(const window<N>& win, int i, const tile& t, int n) { return load<V>(win.value[i] + t.base + offset(n)); }
 
   // ---- from the nodes ---------------------------------------------------------------------------------------------------------------
-  template <int N, class Columns>
+  template <bool Both, int N, class Columns>
   static void velocity_gradient(const Columns& p, const chunk_type& c, const window<N>& win, T first, T second, scratch<Space::gradient_size>& l) {
     each_tile<wants{true, false}>(p, c, [&](const tile& t, int k, const stencil_type& st) {
       V g[dim * dim], around(T(0));
@@ -126,7 +126,7 @@ template <class T, class Space, class Shape> struct by_tiles {
         V v[dim];
         for (int i = 0; i < dim; ++i) {
           v[i] = at_node<N>(win, i, t, n);
-          if constexpr (N > dim) v[i] = first * v[i] + second * at_node<N>(win, dim + i, t, n);
+          if constexpr (Both) v[i] = first * v[i] + second * at_node<N>(win, dim + i, t, n);
         }
         for (int d = 0; d < dim; ++d) {
           const V w = gradient(st, d, n);

@@ -81,16 +81,15 @@ template <class T, class Space, class Shape, class Transfer> struct kernels {
   }
 
   // ---- from the nodes ---------------------------------------------------------------------------------------------------------------
-  /// Gradient of `first` times components 0 .. dim - 1 of the nodes plus `second` times components dim .. 2 dim - 1 (where they have any).
+  /// Gradient of `first` times components 0 .. dim - 1 of the nodes plus `second` times components dim .. 2 dim - 1.
   template <int N, class Columns>
   static BOLIDE_INLINE void velocity_gradient(const Columns& p, const chunk_type& c, const source<N>& nodes, T first, T second, scratch<Space::gradient_size>& l) {
-    if (c.tiles) tiled::template velocity_gradient<N>(p, c, *nodes.window, first, second, l);
-    else rowed::template velocity_gradient<N>(c, nodes.rows, first, second, l);
-    if constexpr (Space::hoop) // so near to the axis that sum N_t v_r is round-off of its terms, v_r / r is dv_r/dr
-      each_register(c, [&](int k, std::size_t, int) {
-        const V too_near(c.inverse_h / std::sqrt(std::numeric_limits<T>::epsilon())), inverse = load<V>(c.inverse_r + k);
-        store(select(inverse > too_near, load<V>(l[0] + k), load<V>(l[dim * dim] + k) * inverse), l[dim * dim] + k);
-      });
+    static_assert(N == 2 * dim);
+    gradient<true>(p, c, nodes, first, second, l);
+  }
+  /// Gradient of components 0 .. dim - 1.
+  template <int N, class Columns> static BOLIDE_INLINE void velocity_gradient(const Columns& p, const chunk_type& c, const source<N>& nodes, scratch<Space::gradient_size>& l) {
+    gradient<false>(p, c, nodes, T(1), T(0), l);
   }
   /// sum N b of N values b of the nodes.
   template <int N, class Columns> static BOLIDE_INLINE void mean(const Columns& p, const chunk_type& c, const source<N>& nodes, scratch<N>& to) {
@@ -165,6 +164,16 @@ template <class T, class Space, class Shape, class Transfer> struct kernels {
   }
 
 private:
+  template <bool Both, int N, class Columns>
+  static BOLIDE_INLINE void gradient(const Columns& p, const chunk_type& c, const source<N>& nodes, T first, T second, scratch<Space::gradient_size>& l) {
+    if (c.tiles) tiled::template velocity_gradient<Both, N>(p, c, *nodes.window, first, second, l);
+    else rowed::template velocity_gradient<Both, N>(c, nodes.rows, first, second, l);
+    if constexpr (Space::hoop) // so near to the axis that sum N_t v_r is round-off of its terms, v_r / r is dv_r/dr
+      each_register(c, [&](int k, std::size_t, int) {
+        const V too_near(c.inverse_h / std::sqrt(std::numeric_limits<T>::epsilon())), inverse = load<V>(c.inverse_r + k);
+        store(select(inverse > too_near, load<V>(l[0] + k), load<V>(l[dim * dim] + k) * inverse), l[dim * dim] + k);
+      });
+  }
   /// At r = 0 it is finite, so that N/r of the node off the axis is.
   template <class Columns> static BOLIDE_INLINE void inverse_radius(const Columns& p, chunk_type& c) {
     if constexpr (Space::hoop)

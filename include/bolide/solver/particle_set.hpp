@@ -10,6 +10,7 @@
 #include "bolide/solver/tiles.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -114,9 +115,23 @@ template <class T, class Space, class Shape, class Material, class Fields> struc
       ranges.push_back(r);
       measure(ranges.back(), h);
       begin_tiles(ranges.back(), h);
+      if (ranges.back().tiles.empty()) put_settled_last(ranges.back());
     }
   }
 
+  /// Particles that have failed and settled in their void (material/material.hpp) come after the others, so that whole registers and chunks of them
+  /// need no equation of state and give no force.
+  void put_settled_last(const block_range<dim>& r) {
+    if constexpr (decltype(columns)::template has<field::failed>) {
+      const T* const failed = columns.template get<field::failed>() + r.begin;
+      const auto is_awake = [failed](std::uint32_t k) { return !(failed[k] > T(1)); };
+      std::vector<std::uint32_t> order(r.end - r.begin);
+      std::iota(order.begin(), order.end(), 0u);
+      if (std::is_partitioned(order.begin(), order.end(), is_awake)) return;
+      std::stable_partition(order.begin(), order.end(), is_awake);
+      columns.reorder(r.begin, order);
+    }
+  }
   /// Puts tiles over the particles of a range, after measure().
   void lay_tiles(block_range<dim>& r, double h) const {
     tile_layer<lanes, grid::window<dim>::stride> layer(r.tiles);

@@ -109,7 +109,8 @@ public:
         kernel::scatter(forces_, field_of(set), range, [&](const auto& to) {
           chunks<for_gradients>(set, range, [&](const auto& c) {
             typename kernel::template scratch<Space::gradient_size> l;
-            kernel::velocity_gradient(set.columns, c, nodes, T(1), T(1), l);
+            if (constrained()) kernel::velocity_gradient(set.columns, c, nodes, T(1), T(1), l);
+            else kernel::velocity_gradient(set.columns, c, nodes, l);
             set.material.template update<Space>(set.columns, c.begin, c.n, l.value, context(true), report);
             if (carries_stress(set.columns, c.begin, static_cast<std::size_t>(c.n))) kernel::scatter_force(set.columns, c, to);
           });
@@ -213,7 +214,7 @@ public:
       if constexpr (keeps_raw) kernel::gather(raw_, field_of(set), range, [&](const auto& nodes) {
         chunks<for_gradients>(set, range, [&](const auto& c) {
           typename kernel::template scratch<Space::gradient_size> l;
-          kernel::velocity_gradient(set.columns, c, nodes, T(1), T(1), l);
+          kernel::velocity_gradient(set.columns, c, nodes, l);
           set.material.template update<Space>(set.columns, c.begin, c.n, l.value, context(false), report);
         });
       });
