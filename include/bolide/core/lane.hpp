@@ -9,6 +9,7 @@
 // offer there, and for the mask registers of AVX-512). W is 2, 4, 8 or 16; `native_pack<T>` is the widest register of the target.
 #pragma once
 
+#include <bit>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
@@ -178,9 +179,12 @@ template <class T, int W> BOLIDE_INLINE bool any(lane_mask<T, W> m) {
 template <class T, int W> BOLIDE_INLINE bool all(lane_mask<T, W> m) { return !any(!m); }
 BOLIDE_INLINE int count(bool m) { return m ? 1 : 0; }
 template <class T, int W> BOLIDE_INLINE int count(lane_mask<T, W> m) {
-  int n = 0;
-  for (int i = 0; i < W; ++i) n += m[i] ? 1 : 0;
-  return n;
+  if constexpr (std::is_integral_v<decltype(m.bits)>) return std::popcount(m.bits);
+  else {
+    int n = 0;
+    for (int i = 0; i < W; ++i) n += m[i] ? 1 : 0;
+    return n;
+  }
 }
 /// The first n lanes (all of a scalar's single one).
 template <class V> BOLIDE_INLINE mask_t<V> first_lanes(int n) {

@@ -346,7 +346,7 @@ private:
       for (const auto& colour : s.by_colour) {
         const auto count = static_cast<std::int64_t>(colour.size());
 #if defined(_OPENMP)
-#pragma omp parallel for schedule(dynamic, 4) if (static_cast<std::int64_t>(s.columns.size()) > worth_threads)
+#pragma omp parallel for schedule(dynamic, 1) if (static_cast<std::int64_t>(s.columns.size()) > worth_threads)
 #endif
         for (std::int64_t i = 0; i < count; ++i) {
           const auto r = static_cast<std::size_t>(colour[static_cast<std::size_t>(i)]);
@@ -477,7 +477,7 @@ private:
   template <class Column> void clear(Column& column) {
     column.resize(column_size());
     each_row([&](std::size_t first, std::size_t last) {
-      std::fill(column.row(first), column.row(last), T(0));
+      for (T* x = column.row(first); x < column.row(last); x += lane_width<V>) store(V(T(0)), x); // runs are of whole registers
     });
   }
   /// f(first, last) for every run of touched nodes in the columns, of every velocity field.

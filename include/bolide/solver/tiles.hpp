@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tiles: how particles are put into SIMD lanes so that what they share with the grid needs no gather and no conflict is possible.
+// Tiles: how particles are put into SIMD lanes so that what they share with the grid needs no gather and no conflict is possible (solver/by_tiles.hpp).
 //
 // Lane l of a tile is the l-th of W neighbouring cells of a row (along the last axis), and holds at most one particle of that cell. Node values of
 // all lanes are then W consecutive entries of a node column, and two lanes never add to the same node at once (docs/performance.md).
