@@ -5,6 +5,7 @@
 //   bash examples/run.sh tradeoff --judge --docs .    and: is the advice good on other problems? and docs/tradeoff.md, include/bolide/advise/measured.hpp
 //   --minutes N     no run is begun after that, the finest are left out (default 60)      --out DIR     results
 //   --from FILE     rows of an earlier tradeoff.csv are not measured again                --judged FILE nor those of an earlier judge.csv
+//   --fresh         --judge with problems on which nothing was tuned
 //   --quick         two kinds of problems, coarse
 // The units: settings and compositions (what is composed), problem_* (what is computed, and its error), matrix (which runs, how often), tables, picture,
 // report, docs (files), judge.
@@ -23,7 +24,7 @@ namespace advise = bolide::advise;
 namespace {
 
 struct request {
-  bool quick = false, judge = false;
+  bool quick = false, judge = false, fresh = false;
   double minutes = 60;
   std::string out = "tradeoff_out", docs, from, judged;
 };
@@ -38,6 +39,7 @@ request read(int argc, char** argv) {
     };
     if (name == "--quick") r.quick = true;
     else if (name == "--judge") r.judge = true;
+    else if (name == "--fresh") r.fresh = r.judge = true;
     else if (name == "--out") r.out = value();
     else if (name == "--docs") r.docs = value();
     else if (name == "--from") r.from = value();
@@ -45,7 +47,7 @@ request read(int argc, char** argv) {
     else if (name == "--minutes") {
       const std::string text = value();
       if (!bolide::text::parse_number(text, r.minutes) || !(r.minutes > 0)) throw bolide::bad_parameter("--minutes = '" + text + "': must be a positive number");
-    } else throw bolide::bad_parameter("'" + name + "': no such option; there are --quick, --judge, --minutes N, --out DIR, --docs ROOT, --from FILE, --judged FILE");
+    } else throw bolide::bad_parameter("'" + name + "': no such option; there are --quick, --judge, --fresh, --minutes N, --out DIR, --docs ROOT, --from FILE, --judged FILE");
   }
   return r;
 }
@@ -111,11 +113,12 @@ int work(const request& r) {
   }
   std::string judged;
   if (r.judge) {
-    const auto others = judge_problems();
-    advise::table others_rows = measure_all(others, judge_tasks(others), r.minutes, out / "judge.csv", read_or_none(r.judged));
-    write_csv(out / "judge.csv", others_rows);
+    const auto others = r.fresh ? fresh_problems() : judge_problems();
+    const auto file = out / (r.fresh ? "fresh.csv" : "judge.csv");
+    advise::table others_rows = measure_all(others, judge_tasks(others), r.minutes, file, read_or_none(r.judged));
+    write_csv(file, others_rows);
     const auto verdicts = judge(ask, others, others_rows);
-    write_csv(out / "judge.csv", others_rows);
+    write_csv(file, others_rows);
     judged = section(verdicts);
     std::printf("%s", judged.c_str());
   }

@@ -89,5 +89,6 @@ problem breathing_lead() { return sphere_problem("breathing sphere, lead", {16e9
 problem breathing_glass() { return sphere_problem("breathing sphere, glass", {72e9, 0.22, 2500, 5e-3}); }
 problem breathing_tungsten() { return sphere_problem("breathing sphere, tungsten", {400e9, 0.26, 19300, 3e-3}); }
 problem breathing_steel() { return sphere_problem("breathing sphere, steel", {205e9, 0.29, 7830, 7e-3}); }
+problem breathing_copper() { return sphere_problem("breathing sphere, copper", {120e9, 0.34, 8960, 6e-3}); }
 
 } // namespace tradeoff

@@ -80,5 +80,8 @@ problem taylor_iron() {
 problem taylor_aluminium() {
   return bar_problem("Taylor bar, aluminium at 250 m/s", {{.rho0 = 2785, .c0 = 5328, .s = 1.338, .gamma0 = 2}, {27.6e9, 265e6, 300e6}, 3e-3, 24e-3, 250, 50e-6});
 }
+problem taylor_nickel() {
+  return bar_problem("Taylor bar, nickel at 250 m/s", {{.rho0 = 8874, .c0 = 4602, .s = 1.437, .gamma0 = 1.93}, {76e9, 200e6, 600e6}, 5e-3, 30e-3, 250, 80e-6});
+}
 
 } // namespace tradeoff

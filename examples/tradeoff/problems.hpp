@@ -50,7 +50,16 @@ problem plate_impact_tungsten(); // Mie-Grueneisen, 4 km/s
 problem taylor_iron();          // 220 m/s
 problem breathing_tungsten();
 
+// for the judge, and defined after the advisor: nothing in it was changed with an eye on them
+problem plate_impact_lead();    // Mie-Grueneisen, 1.2 km/s
+problem plate_impact_iron();    // Tillotson's iron, 6 km/s
+problem strong_tube();          // pressure ratio 100, gamma 5/3
+problem taylor_nickel();        // 250 m/s
+problem breathing_copper();
+problem slower_impact();        // 6 mm on 1.5 mm at 5 km/s
+
 std::vector<problem> matrix_problems();
 std::vector<problem> judge_problems();
+std::vector<problem> fresh_problems();
 
 } // namespace tradeoff
