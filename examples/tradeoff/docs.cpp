@@ -153,7 +153,7 @@ Presets come from these rows: `draft` is the cheapest within 5 %, `standard` wit
           "- The bars' and the impact's errors are against a finer run of this library, not against nature. The impact's reference is made with APIC; FLIP's cloud keeps velocity noise and is some 2 % off at any "
           "resolution: that is a difference between methods, and the table counts it as FLIP's error.\n"
           "- A resolution between two measured ones is believed to follow a power law between them; bodies have a whole number of particles per length there.\n"
-          "- The judge's aim is 9 of 10. The advisor's `strength` was introduced after six of the judge's problems had been seen; plates of tungsten, the bar of iron and the sphere of tungsten came after it. Other rules of the advisor (its confidence, answers between resolutions, which resolution counts as a kind's finest) were changed with the judge's answers in sight, so that its figure flatters: new problems would be the clean test.\n"
+          "- The judge's aim is 9 of 10. The advisor's `strength` was introduced after six of the judge's problems had been seen; plates of tungsten, the bar of iron and the sphere of tungsten came after it. Other rules of the advisor (its confidence, answers between resolutions, which resolution counts as a kind's finest) were changed with the judge's answers in sight, so that its figure flatters: `--fresh` asks about six problems that were defined after all of it.\n"
           "- Noh's implosion stays above 5 % at every measured resolution: the advisor says so.\n";
   observe::write_whole_file(root / "docs/tradeoff.md", page);
   write_picture(root / "docs/img/tradeoff_plate_impact.png", t, problem_names(t).front());
