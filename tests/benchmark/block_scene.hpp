@@ -19,7 +19,6 @@
 #include "bolide/space/cartesian_3d.hpp"
 #include "bolide/strength/linear_hardening.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -65,8 +64,7 @@ template <int Dim> using space_of = std::conditional_t<Dim == 2, space::axisymme
 template <class T, class Shape, int Dim, class Viscosity = viscosity::bulk>
 auto composed(const block<Dim>& scene, const Viscosity& viscosity, int threads = 1) {
   const auto& a = scene.metal;
-  const double gamma_far = std::min(a.gamma0, 2.0 / 3);
-  const eos::mie_grueneisen_parameters hugoniot{.rho0 = a.rho0, .c0 = a.c0, .s = a.slope, .gamma0 = a.gamma0, .gamma_far = gamma_far};
+  const eos::mie_grueneisen_parameters hugoniot{.rho0 = a.rho0, .c0 = a.c0, .s = a.slope, .gamma0 = a.gamma0};
   const material metal{eos::mie_grueneisen{hugoniot},
                        strength::linear_hardening{a.shear_modulus, a.yield, a.hardening}, failure::none{}, viscosity};
   const body block_body{"block", scene.geometry(), metal, scene.spacing(), initial_state{a.rho0, 0}};

@@ -63,7 +63,8 @@ struct mie_grueneisen {
     require(q_.guard > 0 && q_.guard < 1, "eos::mie_grueneisen guard", q_.guard, "between 0 and 1");
     require(std::isfinite(q_.s2), "eos::mie_grueneisen s2", q_.s2, "finite", "s/m");
     require(!(q_.constant_gamma && q_.fading_expansion), "eos::mie_grueneisen fading_expansion", 1, "0 where constant_gamma is set");
-    require(q_.gamma_far > 0 && q_.gamma_far <= q_.gamma0, "eos::mie_grueneisen gamma_far", q_.gamma_far, "above 0 and at most gamma0");
+    require(!q_.fading_expansion || (q_.gamma_far > 0 && q_.gamma_far <= q_.gamma0), "eos::mie_grueneisen gamma_far", q_.gamma_far,
+            "above 0 and at most gamma0");
     require(end_of_hugoniot() < 1, "eos::mie_grueneisen s2", q_.s2, "such that the Hugoniot ends at a finite density", "s/m");
     inverse_rho0_ = 1 / q_.rho0;
     eta_guard_ = q_.guard * end_of_hugoniot();

@@ -122,5 +122,15 @@ TEST(MieGrueneisenParameters, BadOnesAreRefused) {
   refused({.constant_gamma = true, .fading_expansion = true});
   refused({.fading_expansion = true, .gamma_far = 3});
   refused({.gamma0 = 6, .s2 = 1e-5}); // p_ref would fall before the guard
+  refused({.gamma0 = 0.5, .fading_expansion = true}); // gamma_far is 2/3
+}
+TEST(MieGrueneisenParameters, GammaFarCountsOnlyWhereExpansionFades) {
+  const eos::mie_grueneisen soft{{.gamma0 = 0.5}}, set{{.gamma0 = 0.5, .gamma_far = 0.1}};
+  for (const double rho : {1500., 2785., 4000.}) {
+    EXPECT_EQ(soft.evaluate(rho, 1e6).pressure, set.evaluate(rho, 1e6).pressure);
+    EXPECT_NEAR(soft.evaluate(rho, 1e6).pressure - soft.evaluate(rho, 0.).pressure, 0.5 * 2785 * 1e6, 1e-3);
+  }
+  const eos::mie_grueneisen fades{{.gamma0 = 0.5, .fading_expansion = true, .gamma_far = 0.4}};
+  EXPECT_NEAR(fades.evaluate(1e-6 * 2785, 1e6).pressure, 0.4 * 1e-6 * 2785 * 1e6, 0.1); // less the cold pull, 0.08 Pa
 }
 } // namespace
