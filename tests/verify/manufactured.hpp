@@ -17,6 +17,10 @@
 // Expanding ring (after Wallstedt and Guilkey 2008): r = R + A sin(w t) f(R), f = 1 + (3 s^2 - 2 s^3)/4, s from 0 to 1 through the wall; f' = 0 at
 // both rims and nu = 0 (K = 2/3 G), so that sigma_rr = 2 G ln lambda_r leaves them free. With lambda_r = 1 + A sin(w t) f', lambda_t = r/R:
 //   b_r = r_tt - J/rho0 (sigma_rr,R / lambda_r + (sigma_rr - sigma_tt)/r). The same in plane strain and in a slab of r-z.
+// In plane strain the rims are stairs on the lattice of particles, and the ring of the particles is not that of the drawing: its area and second
+// moment are those of rims that lie some 0.05 of a spacing elsewhere, by no rule. A rim that is off by d bears sigma_rr = 2 G A f'' d there,
+// f'' = -+1.5/(wall)^2, which is 37 d/m of the hoop stress: 0.4 mm at h = 1/80 m drives the ring by 9 % of its hoop force, and it breathes
+// about 3 % of A beside the solution (measured 2.9 %), with 2.4 % at h = 1/40: order 0. So the rims of the solution are those of the particles.
 //
 // Axis-aligned (after Steffen et al. 2008): x_i = X_i + A sin(pi X_i) sin(c pi t + phase_i) in the unit square; the faces stay where they are
 // (mirrors).
@@ -130,6 +134,17 @@ struct expanding_ring {
   }
 };
 
+/// The expanding ring with the rims of the lattice that stands for it: of the same area and second moment.
+inline expanding_ring as_seeded(expanding_ring s, double spacing) {
+  const shell ring{plane{0, 0}, s.inner, s.outer};
+  double n = 0, squares = 0;
+  for_each_lattice_point(ring, ring.anchor(), spacing, false, [&](const plane& x) { n += 1, squares += x.squaredNorm(); });
+  const double middle = squares / n + square(spacing) / 6, half = 0.5 * n * square(spacing) / std::numbers::pi; // of the squares of both radii
+  s.inner = std::sqrt(middle - half);
+  s.outer = std::sqrt(middle + half);
+  return s;
+}
+
 struct axis_aligned {
   static constexpr const char* name = "axis-aligned";
   moduli m{1e7, 0.3, 1000};
@@ -226,7 +241,7 @@ template <class Method> manufactured_error run(const vortex& s, double h, double
   return in_plane_strain<Method>(s, shell{plane{0, 0}, s.inner, s.outer}, h, courant, false);
 }
 template <class Method> manufactured_error run(const expanding_ring& s, double h, double courant) {
-  return in_plane_strain<Method>(s, shell{plane{0, 0}, s.inner, s.outer}, h, courant, false);
+  return in_plane_strain<Method>(as_seeded(s, h / 2), shell{plane{0, 0}, s.inner, s.outer}, h, courant, false);
 }
 template <class Method> manufactured_error run(const axis_aligned& s, double h, double courant) {
   return in_plane_strain<Method>(s, box{plane{0, 0}, plane{1, 1}}, h, courant, true);
@@ -287,6 +302,10 @@ template <class Method> void check_vortex(double h, double error, double least_o
 template <class Method> void check_axis_aligned(double h, double error, double least_order) {
   check_order<Method>("axis-aligned", "plane_strain", h, error, least_order,
                       [](double cell, double courant) { return run<Method>(axis_aligned{}, cell, courant); });
+}
+template <class Method> void check_expanding_ring_in_plane_strain(double h, double error, double least_order) {
+  check_order<Method>("expanding ring", "plane_strain", h, error, least_order,
+                      [](double cell, double courant) { return run<Method>(expanding_ring{}, cell, courant); });
 }
 template <class Method> void check_expanding_ring(double h, double error, double least_order) {
   check_order<Method>("expanding ring", "axisymmetric", h, error, least_order,
