@@ -197,4 +197,55 @@ inline void near_exact(const sampled& s, const analysis::shock_state& x, int lea
   EXPECT_LT(s.p_scatter, 0.05);
 }
 
+/// The default composition in an equation of state, in 1-D and in r-z.
+using standard = bspline_apic_usf;
+template <class Start> void verify_flyer_1d(const std::string& name, const Start& at, int least = 100) {
+  const auto x = exact_shock(at);
+  const auto s = flyer_1d<standard>(at);
+  report(name, "1-D", standard::name(), s, x);
+  record_flyer<standard>(name, "planar_1d", s, x);
+  near_exact(s, x, least);
+}
+template <class Start> void verify_flyer_rz(const std::string& name, const Start& at) {
+  const auto x = exact_shock(at);
+  const auto s = flyer_rz<standard>(at);
+  report(name, "r-z", standard::name(), s, x);
+  record_flyer<standard>(name, "axisymmetric", s, x);
+  near_exact(s, x, 1000);
+}
+
+/// Every method in Mie-Grueneisen: bars for what all of them hold.
+inline void holds_for_every_method(const sampled& s, const analysis::shock_state& x) {
+  EXPECT_NEAR(s.rho / x.density, 1, 0.02);
+  EXPECT_NEAR(s.us / x.shock_speed, 1, 0.02);
+  EXPECT_LT(std::abs(s.drift), 1e-12);
+}
+template <class Method> void verify_method_1d() {
+  const auto at = mie_grueneisen();
+  const auto x = exact_shock(at);
+  const auto s = flyer_1d<Method>(at);
+  report("mie-gruneisen", "1-D", Method::name(), s, x);
+  if (Method::name() != standard::name()) record_flyer<Method>("mie-gruneisen", "planar_1d", s, x, 0.02, Method::transfer_type::affine ? "" : velocity_noise);
+  holds_for_every_method(s, x);
+}
+template <class Method> void verify_method_rz() {
+  const auto at = mie_grueneisen();
+  const auto x = exact_shock(at);
+  const auto s = flyer_rz<Method>(at);
+  report("mie-gruneisen", "r-z", Method::name(), s, x);
+  holds_for_every_method(s, x);
+}
+
+/// Without artificial viscosity FLIP makes no entropy: a test of the shock must be able to fail.
+template <class Method> void misses_without_viscosity_1d() {
+  const auto at = mie_grueneisen();
+  const auto x = exact_shock(at);
+  const auto s = flyer_1d<Method>(at, viscosity::none{});
+  report("mie-gruneisen, no viscosity", "1-D", Method::name(), s, x);
+  const double off_T = std::abs(s.temperature / x.temperature - 1), off_e = std::abs(s.e / x.energy - 1);
+  if constexpr (!Method::transfer_type::affine) {
+    EXPECT_GT(std::max(off_T / 0.025, off_e / 0.01), 2);
+  }
+}
+
 } // namespace bolide::verify
