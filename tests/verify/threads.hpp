@@ -36,7 +36,7 @@ struct run_of {
 template <class Solver> std::uint64_t all_bits(Solver& sim) {
   return state_hash(sim) ^ static_cast<std::uint64_t>(std::abs(sim.energies().viscous_heating) * 1e15);
 }
-template <class Solver> run_of advance(Solver sim, int from, int threads) {
+template <class Solver> run_of advance(Solver sim, int from, [[maybe_unused]] int threads) {
   sim.for_each_body([](const auto& s) { EXPECT_GT(s.columns.size(), 16384u); });
   run_of r{};
   for (int i = from; i < all_steps; ++i) {
