@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// optimise: -O1
 // Extremes 3 to 6, gas in one dimension: the 123 problem and ten times its speed (true vacuum), LeBlanc, the double blast wave, free
 // expansion.
 //

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// optimise: -O1
 // Extreme 10: the paper's impact (sphere of 9.5 mm on a plate of 2.2 mm) on cells of 0.4 mm at 0.5, 6.64, 20, 40 and 70 km/s, time scaled
 // by 6640 m/s over the speed: it ends, the energy holds, and its r-z mirror image along z gives the mirrored answer.
 #include "extreme/extreme.hpp"

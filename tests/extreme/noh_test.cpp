@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// optimise: -O1
 // Extremes 1 and 2: Noh's implosion, planar and cylindrical, from cold gas of e = 0, 1e-30, 1e-12 and 1e-6 J/kg. The sphere:
 // noh_slow_test.cpp.
 #include "extreme/noh.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// optimise: -O2
 // Extreme 13: how PIC loses spin, against its exact rate, and how Jaumann's rate turns a stress, against the exact turn. 100 turns of a disc and
 // the steel rod: spin_slow_test.cpp.
 //

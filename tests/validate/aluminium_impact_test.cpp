@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// optimise: -O2
 // The example aluminium_impact as its users meet it: every option's refusal, the exit codes, the files, and that a run can be repeated
 // from what it wrote. All runs are coarse; what the clouds look like at the paper's resolution is tested elsewhere.
 #include <gtest/gtest.h>

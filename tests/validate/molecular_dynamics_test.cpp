@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// optimise: -O1
 // The paper's molecular dynamics, equations (12) to (15), on a periodic supercell: forces against the energy, the static lattice against
 // the library's lattice sums, relaxation to 0 K, and runs at constant energy whose heat and thermal pressure are set beside 3RT and the
 // Grueneisen coefficient of the equation of state.

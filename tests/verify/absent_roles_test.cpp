@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// optimise: -O2
 // Roles that a composition does not have cost no instruction. The constitutive update of a stiffened gas in r-z, composed as
 //   material{eos::stiffened_gas, strength::none, failure::none, viscosity::none}
 // against a loop written by hand for just this physics (V, p*, floors, the bound on the step), both counted instruction by instruction. Strength, failure and

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// optimise: -O2
 // Conservation in three dimensions, on the uniform grid and in float. More compositions: conservation_slow_test.cpp.
 #include "verify/conservation.hpp"
 

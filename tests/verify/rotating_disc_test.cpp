@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// optimise: -O1
 // A free elastic disc turns once in plane strain: angular momentum per transfer, and the centrifugal stress.
 //
 // R 1 m, E 10 MPa, nu 0.3, rho 1000, w 5 /s (rim at 0.04 of the sound speed). The stress of a disc in plane stress, (3 + nu)/8 rho w^2 R^2 at the

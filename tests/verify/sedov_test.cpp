@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// optimise: -O2
 // Sedov's blast wave from a plane and from an axis; from a point, and on finer cells: sedov_slow_test.cpp.
 #include "verify/sedov_problem.hpp"
 

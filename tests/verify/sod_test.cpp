@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// optimise: -O1
 // Sod's tube, the 123 problem and LeBlanc's tube in the compositions that matter most; all others, and finer cells: riemann_slow_test.cpp.
 #include "verify/riemann_problems.hpp"
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// optimise: -O1
 // The textbook solver of the benchmarks (tests/benchmark/textbook.hpp) solves the same problem as the composed solver of the matching policies: a
 // reference of speed that computed something else would be none. r-z and 3-D, linear and quadratic shape functions, a small block in the
 // motion of the benchmarks, 20 times as fast: it is compressed by some percent, yields and changes cells.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// optimise: -O1
 // The same bits on 1, 2, 4 and 7 threads, on every repeat and across a restart: four methods, each shape, transfer, scheme and precision at least once, and
 // the models that they leave out. threads_slow_test.cpp has the other methods.
 #include "bolide/contact/frictional.hpp"

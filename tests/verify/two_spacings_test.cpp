@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// optimise: -O2
 // Particles of two sizes in one scene: two bodies of one material, 0.05 mm and wider apart on cells of h = 0.1 mm, touch at a plane and share one velocity field,
 // which welds them. What does the seam do to a wave?
 //
