@@ -67,7 +67,7 @@ TYPED_TEST(StableBar, CourantNumber) {
                   .note = most > 1.45 ? "the most that controls allow"
                                       : "at 0.1 more, points at the rim of the foot gain speed: " + to_text(std::round(100 * extra) / 100) +
                                             " times the steps of that number" + (ended ? "" : " when the run stopped") + ", foot " +
-                                            to_text(std::round(1000 * change) / 10) + " % off; finer cells: less (linear FLIP USF with 16 cells per radius 0.5)"});
+                                            to_text(std::round(1000 * change) / 10) + " % off; finer cells: less (linear FLIP USF, 16 per radius: 0.5)"});
   EXPECT_GT(most, 0.35) << "the default, 0.4, must be stable";
 }
 
