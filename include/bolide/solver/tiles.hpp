@@ -2,7 +2,7 @@
 // Tiles: how particles are put into SIMD lanes so that what they share with the grid needs no gather and no conflict is possible (solver/by_tiles.hpp).
 //
 // Lane l of a tile is the l-th of W neighbouring cells of a row (along the last axis), and holds at most one particle of that cell. Node values of
-// all lanes are then W consecutive entries of a node column, and two lanes never add to the same node at once (docs/performance.md).
+// all lanes are then W consecutive entries of a window, and two lanes never add to the same node at once (docs/performance.md).
 // Storage stays dense: the particles of a tile follow each other in the columns in the order of their lanes, and `lanes` says which lanes are
 // there (core/lane.hpp: spread, squeeze). Tiles are found anew after every motion from the order that the particles happen to have; particles
 // that fly side by side change cells side by side and keep their tiles. Where the order has decayed, the range is arranged anew.
