@@ -15,7 +15,6 @@
 #include "bolide/space/axisymmetric.hpp"
 #include "bolide/strength/linear_hardening.hpp"
 
-#include <algorithm>
 
 namespace bolide::scenes {
 
@@ -47,7 +46,7 @@ struct paper {
 /// The scene on a grid; with a box, material that leaves it is taken out.
 template <class Grid> auto composed(const paper& scene, const Grid& grid) {
   const auto& a = scene.metal;
-  const eos::mie_grueneisen_parameters hugoniot{.rho0 = a.rho0, .c0 = a.c0, .s = a.slope, .gamma0 = a.gamma0, .gamma_far = std::min(a.gamma0, 2.0 / 3)};
+  const eos::mie_grueneisen_parameters hugoniot{.rho0 = a.rho0, .c0 = a.c0, .s = a.slope, .gamma0 = a.gamma0};
   const material metal{eos::mie_grueneisen{hugoniot}, strength::linear_hardening{a.shear_modulus, a.yield, a.hardening}, failure::tension{1.5e9},
                        viscosity::bulk{a.quadratic, a.linear}};
   using point = vec<double, 2>;
