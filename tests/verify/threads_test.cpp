@@ -7,6 +7,10 @@
 #include "bolide/space/plane_strain.hpp"
 #include "verify/threads.hpp"
 
+#if defined(_OPENMP)
+#include <omp.h>
+#endif
+
 namespace bolide {
 namespace {
 using namespace test;
@@ -32,6 +36,17 @@ TYPED_TEST_SUITE(Threads, methods, method_names);
 
 TYPED_TEST(Threads, TheNumberOfThreadsChangesNoBit) { expect_the_same_bits(impact<TypeParam>); }
 TEST(ThreadsOfOtherModels, ChangeNoBit) { expect_the_same_bits(sliding_blocks); }
+
+#if defined(_OPENMP)
+/// A solver once set the number of the whole process, and with it that of every other solver.
+TEST(ThreadsOfOneSolver, AreItsOwn) {
+  const int before = omp_get_max_threads();
+  auto sim = sliding_blocks(before + 1);
+  sim.step();
+  EXPECT_EQ(sim.threads(), before + 1);
+  EXPECT_EQ(omp_get_max_threads(), before);
+}
+#endif
 
 } // namespace
 } // namespace bolide

@@ -57,6 +57,7 @@ public:
   bool skip_quiet = true;  // leave out what is at rest?
   T quiet_speed = 0;       // m/s, up to which it counts as at rest
   bool sorted = false; // does every particle touch only the blocks around its own?
+  int threads = 1;     // of the sweeps; the process's own number is left alone
 
   phases(const Grid& grid, T courant_number, Transfer t, Contact c, std::tuple<Sets...> s)
       : sets(std::move(s)), blocks(grid.template make<dim>()), h(grid.spacing), courant(courant_number), transfer(t), contact(c) {}
@@ -346,7 +347,7 @@ private:
       for (const auto& colour : s.by_colour) {
         const auto count = static_cast<std::int64_t>(colour.size());
 #if defined(_OPENMP)
-#pragma omp parallel for schedule(dynamic, 1) if (static_cast<std::int64_t>(s.columns.size()) > worth_threads)
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 1) if (static_cast<std::int64_t>(s.columns.size()) > worth_threads)
 #endif
         for (std::int64_t i = 0; i < count; ++i) {
           const auto r = static_cast<std::size_t>(colour[static_cast<std::size_t>(i)]);
@@ -525,7 +526,7 @@ private:
     const auto n = static_cast<std::int64_t>(touched_.size());
     node_sums_.assign(touched_.size(), 0);
 #if defined(_OPENMP)
-#pragma omp parallel for schedule(static) if (n * map::nodes_per_block > 2 * worth_threads)
+#pragma omp parallel for num_threads(threads) schedule(static) if (n * map::nodes_per_block > 2 * worth_threads)
 #endif
     for (std::int64_t b = 0; b < n; ++b) node_sums_[static_cast<std::size_t>(b)] = f(touched_[static_cast<std::size_t>(b)]);
     double total = 0;

@@ -380,7 +380,7 @@ private:
     phases_.skip_quiet = controls_.skip_quiet && phases_.body_forces.empty() && phases_.periods.empty() && phases_.walls.empty();
 #if defined(_OPENMP)
     threads_ = controls_.threads > 0 ? controls_.threads : omp_get_max_threads();
-    omp_set_num_threads(threads_);
+    phases_.threads = threads_;
 #endif
     for (const auto& m : phases_.mirrors) check_side(m);
     phases_.energy.momentum_scale = measure_energy(); // before sort(), which may let particles leave that start outside the box
