@@ -89,14 +89,10 @@ template <class T, class Space, class Shape> struct by_rows {
       if constexpr (Axis == dim - 1) return value(node[a]);
       else return mean_over<Axis + 1>(c, k, node + a * pitch(Axis), value);
     };
-    auto sum = b(0);
-    if constexpr (straight) return sum + (b(1) - sum) * c.weight[Axis][1][k];
-    else {
-      sum = sum * c.weight[Axis][0][k];
+    auto sum = b(0) * c.weight[Axis][0][k];
 #pragma GCC unroll 4
-      for (int a = 1; a < support; ++a) sum += b(a) * c.weight[Axis][a][k];
-      return sum;
-    }
+    for (int a = 1; a < support; ++a) sum += b(a) * c.weight[Axis][a][k];
+    return sum;
   }
   /// What takes the place of N along one axis: its slope (1/cell), or its moment N (x_n - x_p) (cells).
   struct by_slope {
@@ -132,21 +128,22 @@ template <class T, class Space, class Shape> struct by_rows {
     if constexpr (!hoop) sum.hoop = sum.value;
     return sum;
   }
-  /// The same with slopes between two nodes per axis, where they are -1 and 1.
+  /// The same with slopes between two nodes per axis, where they are -1 and 1. Values are weighted one by one: on a face the far node has a weight of a few
+  /// epsilons and a velocity change so many times larger, and b_0 + N_1 (b_1 - b_0) would lose what cancels it.
   template <int Axis, class F> static BOLIDE_INLINE auto differences_over(const chunk_type& c, int k, const std::int32_t* node, F&& value) {
     using Row = decltype(value(node[0]));
     constexpr int axes = dim - Axis;
     value_and_slopes<Row, axes> sum;
-    const T weight = c.weight[Axis][1][k];
+    const T w0 = c.weight[Axis][0][k], w1 = c.weight[Axis][1][k];
     if constexpr (Axis == dim - 1) {
-      const Row b = value(node[0]);
-      sum.along[0] = value(node[1]) - b;
-      sum.value = b + sum.along[0] * weight;
+      const Row b0 = value(node[0]), b1 = value(node[1]);
+      sum.along[0] = b1 - b0;
+      sum.value = b0 * w0 + b1 * w1;
     } else {
       const auto b0 = differences_over<Axis + 1>(c, k, node, value), b1 = differences_over<Axis + 1>(c, k, node + pitch(Axis), value);
       sum.along[0] = b1.value - b0.value;
-      sum.value = b0.value + sum.along[0] * weight;
-      for (int d = 1; d < axes; ++d) sum.along[d] = b0.along[d - 1] + (b1.along[d - 1] - b0.along[d - 1]) * weight;
+      sum.value = b0.value * w0 + b1.value * w1;
+      for (int d = 1; d < axes; ++d) sum.along[d] = b0.along[d - 1] * w0 + b1.along[d - 1] * w1;
     }
     sum.hoop = sum.value;
     return sum;
