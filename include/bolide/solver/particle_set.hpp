@@ -112,7 +112,7 @@ template <class T, class Space, class Shape, class Material, class Fields> struc
       r.nodes = grid::window<dim>::nodes(r.near);
       for (std::size_t d = 0; d < dim; ++d) r.origin[d] = blocks.coordinate(b)[d] * map::side;
       by_colour[static_cast<std::size_t>(map::colour_of(blocks.coordinate(b)))].push_back(static_cast<std::int32_t>(ranges.size()));
-      ranges.push_back(r);
+      ranges.push_back(std::move(r));
       measure(ranges.back(), h);
       begin_tiles(ranges.back(), h);
       if (ranges.back().tiles.empty()) put_settled_last(ranges.back());
