@@ -23,6 +23,7 @@
 #include "bolide/solver/ledger.hpp"
 #include "bolide/solver/particle_set.hpp"
 
+#include <limits>
 #include <tuple>
 #include <vector>
 
@@ -89,10 +90,10 @@ public:
     find_mass([this](std::size_t i) {
       V m[sums::width], u[motion::width] = {};
       sums_.lanes(i, m);
-      const V inverse_mass = select(m[0] > V(T(0)), T(1) / m[0], V(T(0)));
+      const V inverse_mass = select(m[0] > V(least_mass), T(1) / m[0], V(T(0)));
       for (int d = 0; d < dim; ++d) u[d] = m[1 + d] * inverse_mass;
       motion_.put_lanes(i, u, register_nodes);
-      return any(m[0] > V(T(0)));
+      return any(m[0] > V(least_mass));
     });
     if (constrained()) {
       clear(wall_forces_);
@@ -136,7 +137,7 @@ public:
         external_.lanes(i, b);
         for (int d = 0; d < dim; ++d) f[d] += b[d];
       }
-      const V factor = select(m[0] > V(T(0)), dt / m[0], V(T(0)));
+      const V factor = select(m[0] > V(least_mass), dt / m[0], V(T(0)));
       for (int d = 0; d < dim; ++d) {
         const V before = (with_constraints ? u[dim + d] : V(T(0))) + (Transfer::affine ? u[d] : V(T(0))); // with what constrain() did before the stress
         u[dim + d] = before + f[d] * factor;
@@ -182,7 +183,7 @@ public:
         sums_.lanes(i, m);
         back_.lanes(i, p);
         motion_.lanes(i, u);
-        const auto has_mass = m[0] > V(T(0));
+        const auto has_mass = m[0] > V(least_mass);
         const V inverse_mass = T(1) / m[0];
         for (int d = 0; d < dim; ++d) u[dim + d] = select(has_mass, p[d] * inverse_mass, u[dim + d]);
         motion_.put_lanes(i, u, register_nodes);
@@ -305,6 +306,7 @@ private:
   static constexpr bool filters = Transfer::filter_order > 0;
   static constexpr wants for_gradients{true, false}, for_momentum{false, Transfer::affine}, for_transfer{Transfer::affine, Transfer::affine};
   static constexpr int register_nodes = lane_width<V> < map::side ? lane_width<V> : map::side; // of one row, that a loop over nodes takes at once
+  static constexpr T least_mass = std::numeric_limits<T>::min(); // of a node: less is subnormal, and its inverse may be infinite (3-D GIMP in float)
   static constexpr std::int64_t worth_threads = 16384; // particles (or half as many nodes) below which threads cost more than they give
   sums sums_;
   forces forces_, back_, external_, raw_, residual_, next_residual_, normals_, wall_forces_, contact_forces_;
