@@ -83,7 +83,8 @@ template <class T, class Space, class Shape> struct by_rows {
     for (int d = dim - 1; d > axis; --d) p *= grid::window<dim>::stride;
     return p;
   }
-  /// sum N b with b = value(node)
+  /// sum N b with b = value(node). Values are weighted one by one: on a face the far node of linear shapes has a weight of a few epsilons and a velocity change
+  /// so many times larger, and b_0 + N_1 (b_1 - b_0) would lose what cancels it.
   template <int Axis, class F> static BOLIDE_INLINE auto mean_over(const chunk_type& c, int k, const std::int32_t* node, F&& value) {
     const auto b = [&](int a) __attribute__((always_inline)) {
       if constexpr (Axis == dim - 1) return value(node[a]);
@@ -126,26 +127,6 @@ template <class T, class Space, class Shape> struct by_rows {
       if constexpr (hoop) sum.hoop = a == 0 ? b.value * c.hoop_weight[a][k] : sum.hoop + b.value * c.hoop_weight[a][k];
     }
     if constexpr (!hoop) sum.hoop = sum.value;
-    return sum;
-  }
-  /// The same with slopes between two nodes per axis, where they are -1 and 1. Values are weighted one by one: on a face the far node has a weight of a few
-  /// epsilons and a velocity change so many times larger, and b_0 + N_1 (b_1 - b_0) would lose what cancels it.
-  template <int Axis, class F> static BOLIDE_INLINE auto differences_over(const chunk_type& c, int k, const std::int32_t* node, F&& value) {
-    using Row = decltype(value(node[0]));
-    constexpr int axes = dim - Axis;
-    value_and_slopes<Row, axes> sum;
-    const T w0 = c.weight[Axis][0][k], w1 = c.weight[Axis][1][k];
-    if constexpr (Axis == dim - 1) {
-      const Row b0 = value(node[0]), b1 = value(node[1]);
-      sum.along[0] = b1 - b0;
-      sum.value = b0 * w0 + b1 * w1;
-    } else {
-      const auto b0 = differences_over<Axis + 1>(c, k, node, value), b1 = differences_over<Axis + 1>(c, k, node + pitch(Axis), value);
-      sum.along[0] = b1.value - b0.value;
-      sum.value = b0.value * w0 + b1.value * w1;
-      for (int d = 1; d < axes; ++d) sum.along[d] = b0.along[d - 1] * w0 + b1.along[d - 1] * w1;
-    }
-    sum.hoop = sum.value;
     return sum;
   }
   /// The reverse of mean_over: add(node, N value).
@@ -194,10 +175,7 @@ template <class T, class Space, class Shape> struct by_rows {
     rows<M> along[dim];
     rows<Space::hoop ? M : 1> hoop;
     each_particle(c, [&](int k, const std::int32_t* node) __attribute__((always_inline)) {
-      const auto g = [&]() __attribute__((always_inline)) {
-        if constexpr (straight) return differences_over<0>(c, k, node, reader<N, M>(column));
-        else return slopes_over<by_slope, 0>(c, k, node, reader<N, M>(column));
-      }();
+      const auto g = slopes_over<by_slope, 0>(c, k, node, reader<N, M>(column));
       for (int d = 0; d < dim; ++d) along[d].put(k, g.along[d]);
       if constexpr (Space::hoop) hoop.put(k, g.hoop);
     });
