@@ -104,18 +104,17 @@ template <class T, class Space, class Shape, class Material, class Fields> struc
     columns.reorder(order);
 
     ranges.clear();
-    for (auto& c : by_colour) c.clear();
     for (std::size_t b = 0; b < blocks.size(); ++b) {
       const std::size_t begin = count[b * map::nodes_per_block], end = count[(b + 1) * map::nodes_per_block];
       if (begin == end) continue;
-      block_range<dim> r{{}, begin, end, blocks.neighbourhood(blocks.coordinate(b)), {}, 0, {}, {}, 0, 0, {}};
-      r.nodes = grid::window<dim>::nodes(r.near);
-      for (std::size_t d = 0; d < dim; ++d) r.origin[d] = blocks.coordinate(b)[d] * map::side;
-      by_colour[static_cast<std::size_t>(map::colour_of(blocks.coordinate(b)))].push_back(static_cast<std::int32_t>(ranges.size()));
-      ranges.push_back(std::move(r));
-      measure(ranges.back(), h);
-      begin_tiles(ranges.back(), h);
-      if (ranges.back().tiles.empty()) put_settled_last(ranges.back());
+      ranges.push_back({{}, begin, end, {}, {}, 0, {}, {}, 0, 0, {}});
+      for (std::size_t d = 0; d < dim; ++d) ranges.back().origin[d] = blocks.coordinate(b)[d] * map::side;
+    }
+    link(blocks);
+    for (auto& r : ranges) {
+      measure(r, h);
+      begin_tiles(r, h);
+      if (r.tiles.empty()) put_settled_last(r);
     }
   }
 
@@ -274,14 +273,10 @@ template <class T, class Space, class Shape, class Material, class Fields> struc
   }
   /// Finds neighbours, colours, nodes and tiles of the ranges in the blocks.
   template <class Map> void connect(const Map& blocks, double h) {
-    for (auto& c : by_colour) c.clear();
-    for (std::size_t k = 0; k < ranges.size(); ++k) {
-      const auto block = map::block_of(ranges[k].origin);
-      ranges[k].near = blocks.neighbourhood(block);
-      by_colour[static_cast<std::size_t>(map::colour_of(block))].push_back(static_cast<std::int32_t>(k));
-      ranges[k].nodes = grid::window<dim>::nodes(ranges[k].near);
-      ranges[k].tiles.clear();
-      if (ranges[k].tiles_at_best > 0) lay_tiles(ranges[k], h);
+    link(blocks);
+    for (auto& r : ranges) {
+      r.tiles.clear();
+      if (r.tiles_at_best > 0) lay_tiles(r, h);
     }
   }
 
@@ -289,6 +284,20 @@ private:
   static constexpr int lanes = native_width<T>;
   static constexpr std::size_t least_in_tile = static_cast<std::size_t>(3 * lanes / 4); // particles, on average, for tiles to be worth it
   static constexpr std::size_t arranging_costs = 2; // a tile in a step costs about as much as arranging so many particles
+
+  /// Finds neighbours, nodes and colours of the ranges in the blocks. Of a colour, those of most particles come first: two threads that take one
+  /// after the other then end it nearly together.
+  template <class Map> void link(const Map& blocks) {
+    for (auto& c : by_colour) c.clear();
+    for (std::size_t k = 0; k < ranges.size(); ++k) {
+      const auto block = map::block_of(ranges[k].origin);
+      ranges[k].near = blocks.neighbourhood(block);
+      ranges[k].nodes = grid::window<dim>::nodes(ranges[k].near);
+      by_colour[static_cast<std::size_t>(map::colour_of(block))].push_back(static_cast<std::int32_t>(k));
+    }
+    const auto particles = [this](std::int32_t k) { return ranges[static_cast<std::size_t>(k)].end - ranges[static_cast<std::size_t>(k)].begin; };
+    for (auto& c : by_colour) std::stable_sort(c.begin(), c.end(), [&](std::int32_t a, std::int32_t b) { return particles(a) > particles(b); });
+  }
 
   /// Window offsets of the first nodes of n <= chunk_size particles (whole registers are written). They are held among the touched nodes, so that a
   /// rounding of x / h on a cell face names no foreign node.

@@ -68,8 +68,9 @@ public:
   void map_to_nodes() {
     find_quiet_ranges();
     find_touched_nodes();
-    clear(sums_);
-    if constexpr (!Scheme::stress_first) clear(forces_);
+    clear(sums_, forces_);
+    if constexpr (maps_back) clear(back_);
+    if constexpr (keeps_raw) clear(raw_);
     sweep([this](auto& set, auto& range, update_report&) {
       if (range.quiet == asleep) return;
       kernel::scatter(sums_, field_of(set), range, [&](const auto& to) {
@@ -84,9 +85,6 @@ public:
     });
     complete(sums_, 1);
     motion_.resize(column_size());
-    if constexpr (keeps_raw) clear(raw_);
-    if constexpr (Scheme::stress_first) clear(forces_);
-    if constexpr (maps_back) clear(back_);
     find_mass([this](std::size_t i) {
       V m[sums::width], u[motion::width] = {};
       sums_.lanes(i, m);
@@ -178,7 +176,7 @@ public:
     finish_kinetic();
     if constexpr (maps_back) {
       complete(back_, 0);
-      each_register([this](std::size_t i) { // FLIP: dv~ = sum N m dv_p / m_I; APIC: v'_I
+      const double power = sum_over_registers([this](std::size_t i) { // FLIP: dv~ = sum N m dv_p / m_I; APIC: v'_I
         V m[sums::width], p[forces::width], u[motion::width];
         sums_.lanes(i, m);
         back_.lanes(i, p);
@@ -187,8 +185,9 @@ public:
         const V inverse_mass = T(1) / m[0];
         for (int d = 0; d < dim; ++d) u[dim + d] = select(has_mass, p[d] * inverse_mass, u[dim + d]);
         motion_.put_lanes(i, u, register_nodes);
+        return Transfer::affine ? V(T(0)) : power_at(forces_, i, u);
       });
-      if constexpr (!Transfer::affine) nodal_work(power_of(forces_));
+      if constexpr (!Transfer::affine) nodal_work(power);
     }
   }
 
@@ -307,7 +306,7 @@ private:
   static constexpr wants for_gradients{true, false}, for_momentum{false, Transfer::affine}, for_transfer{Transfer::affine, Transfer::affine};
   static constexpr int register_nodes = lane_width<V> < map::side ? lane_width<V> : map::side; // of one row, that a loop over nodes takes at once
   static constexpr T least_mass = std::numeric_limits<T>::min(); // of a node: less is subnormal, and its inverse may be infinite (3-D GIMP in float)
-  static constexpr std::int64_t worth_threads = 16384; // particles (or half as many nodes) below which threads cost more than they give
+  static constexpr std::int64_t worth_threads = 16384; // particles, or nodes, below which threads cost more than they give
   sums sums_;
   forces forces_, back_, external_, raw_, residual_, next_residual_, normals_, wall_forces_, contact_forces_;
   motion motion_;
@@ -477,11 +476,12 @@ private:
       }
     with_mass_.resize(registers);
   }
-  template <class Column> void clear(Column& column) {
-    column.resize(column_size());
-    each_row([&](std::size_t first, std::size_t last) {
+  template <class... Columns> void clear(Columns&... columns) {
+    (columns.resize(column_size()), ...);
+    const auto clear_run = [](auto& column, std::size_t first, std::size_t last) {
       for (T* x = column.row(first); x < column.row(last); x += lane_width<V>) store(V(T(0)), x); // runs are of whole registers
-    });
+    };
+    each_row([&](std::size_t first, std::size_t last) { (clear_run(columns, first, last), ...); });
   }
   /// f(first, last) for every run of touched nodes in the columns, of every velocity field.
   template <class F> void each_row(F&& f) {
@@ -528,7 +528,7 @@ private:
     const auto n = static_cast<std::int64_t>(touched_.size());
     node_sums_.assign(touched_.size(), 0);
 #if defined(_OPENMP)
-#pragma omp parallel for num_threads(threads) schedule(static) if (n * map::nodes_per_block > 2 * worth_threads)
+#pragma omp parallel for num_threads(threads) schedule(static) if (n * map::nodes_per_block > worth_threads)
 #endif
     for (std::int64_t b = 0; b < n; ++b) node_sums_[static_cast<std::size_t>(b)] = f(touched_[static_cast<std::size_t>(b)]);
     double total = 0;
@@ -543,23 +543,35 @@ private:
       });
   }
 
-  /// Sum of f.(v + dv/2) over the real nodes, f a column of nodal forces; for affine transfers f.(v + v')/2. Nodes without mass have no velocity.
-  double power_of(const forces& f) {
-    constexpr T half = T(0.5), first = Transfer::affine ? half : T(1);
+  /// Sum of what f(i) returns for the real ones of the nodes with mass, a register at a time, the first of them i.
+  template <class F> double sum_over_registers(F&& f) {
     return sum_over_parts([&](const touched_part& part) {
       detail::lane_sum<V> sum;
-      for (std::size_t r = part.first; r < part.first + part.with_mass; ++r) {
-        const std::size_t i = with_mass_[r];
-        V force[forces::width], u[motion::width], power(T(0));
-        f.lanes(i, force);
-        motion_.lanes(i, u);
-        for (int d = 0; d < dim; ++d) power += force[d] * (first * u[d] + half * u[dim + d]);
+      for (std::size_t k = part.first; k < part.first + part.with_mass; ++k) {
+        const std::size_t i = with_mass_[k];
+        V x = f(i);
         if (part.images)
-          for (int k = 0; k < register_nodes; ++k)
-            if (is_image(i + static_cast<std::size_t>(k))) power.set(k, T(0));
-        sum.add(power, register_nodes);
+          for (int n = 0; n < register_nodes; ++n)
+            if (is_image(i + static_cast<std::size_t>(n))) x.set(n, T(0));
+        sum.add(x, register_nodes);
       }
       return sum.total();
+    });
+  }
+  /// f.(v + dv/2), f a column of nodal forces; for affine transfers f.(v + v')/2. Nodes without mass have no velocity.
+  static BOLIDE_INLINE V power_at(const forces& f, std::size_t i, const V (&u)[motion::width]) {
+    constexpr T half = T(0.5), first = Transfer::affine ? half : T(1);
+    V force[forces::width], power(T(0));
+    f.lanes(i, force);
+    for (int d = 0; d < dim; ++d) power += force[d] * (first * u[d] + half * u[dim + d]);
+    return power;
+  }
+  /// Its sum over the real nodes.
+  double power_of(const forces& f) {
+    return sum_over_registers([&](std::size_t i) {
+      V u[motion::width];
+      motion_.lanes(i, u);
+      return power_at(f, i, u);
     });
   }
   /// The work of the stress leaves the nodes for the particles' energy: transfer loses and mismatch gains it. That of other forces has channels of
@@ -587,8 +599,7 @@ private:
 
   /// Outward direction of every body: sum V grad N, which points from its particles to the node.
   void find_normals() {
-    clear(normals_);
-    clear(contact_forces_);
+    clear(normals_, contact_forces_);
     sweep([this](auto& set, auto& range, update_report&) {
       if (range.quiet == asleep) return;
       kernel::scatter(normals_, field_of(set), range, [&](const auto& to) {
