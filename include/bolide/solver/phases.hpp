@@ -86,12 +86,11 @@ public:
     complete(sums_, 1);
     motion_.resize(column_size());
     find_mass([this](std::size_t i) {
-      V m[sums::width], u[motion::width] = {};
-      sums_.lanes(i, m);
-      const V inverse_mass = select(m[0] > V(least_mass), T(1) / m[0], V(T(0)));
-      for (int d = 0; d < dim; ++d) u[d] = m[1 + d] * inverse_mass;
-      motion_.put_lanes(i, u, register_nodes);
-      return any(m[0] > V(least_mass));
+      const T* const m = sums_.row(i);
+      T* const v = motion_.row(i);
+      const T inverse = has_mass(i) ? T(1) / m[0] : T(0);
+      for (int d = 0; d < dim; ++d) v[d] = m[1 + d] * inverse, v[dim + d] = T(0);
+      return has_mass(i);
     });
     if (constrained()) {
       clear(wall_forces_);
@@ -125,29 +124,18 @@ public:
     if (!body_forces.empty()) scatter_body_forces();
     complete(forces_, 0);
     const bool with_constraints = constrained();
-    each_register([this, with_constraints](std::size_t i) {
-      V m[sums::width], f[forces::width], u[motion::width];
-      sums_.lanes(i, m);
-      forces_.lanes(i, f);
-      motion_.lanes(i, u);
-      if (!body_forces.empty()) {
-        V b[forces::width];
-        external_.lanes(i, b);
-        for (int d = 0; d < dim; ++d) f[d] += b[d];
-      }
-      const V factor = select(m[0] > V(least_mass), dt / m[0], V(T(0)));
+    each_node([this, with_constraints](std::size_t i) {
+      const T factor = dt / sums_(0, i);
+      const T *const f = forces_.row(i), *const b = body_forces.empty() ? nullptr : external_.row(i);
+      T* const v = motion_.row(i);
       for (int d = 0; d < dim; ++d) {
-        const V before = (with_constraints ? u[dim + d] : V(T(0))) + (Transfer::affine ? u[d] : V(T(0))); // with what constrain() did before the stress
-        u[dim + d] = before + f[d] * factor;
+        const T before = (with_constraints ? v[dim + d] : T(0)) + (Transfer::affine ? v[d] : T(0)); // with what constrain() did before the stress
+        v[dim + d] = before + (b ? f[d] + b[d] : f[d]) * factor;
       }
-      motion_.put_lanes(i, u, register_nodes);
     });
     if (with_constraints) constrain<false>();
-    if constexpr (keeps_raw) each_register([this](std::size_t i) {
-      V u[motion::width], raw[forces::width] = {};
-      motion_.lanes(i, u);
-      for (int d = 0; d < dim; ++d) raw[d] = u[d] + u[dim + d];
-      raw_.put_lanes(i, raw, register_nodes);
+    if constexpr (keeps_raw) each_node([this](std::size_t i) {
+      for (int d = 0; d < dim; ++d) raw_(d, i) = motion_(d, i) + motion_(dim + d, i);
     });
     if constexpr (Transfer::affine) nodal_work(power_of(forces_));
   }
@@ -176,16 +164,10 @@ public:
     finish_kinetic();
     if constexpr (maps_back) {
       complete(back_, 0);
-      const double power = sum_over_registers([this](std::size_t i) { // FLIP: dv~ = sum N m dv_p / m_I; APIC: v'_I
-        V m[sums::width], p[forces::width], u[motion::width];
-        sums_.lanes(i, m);
-        back_.lanes(i, p);
-        motion_.lanes(i, u);
-        const auto has_mass = m[0] > V(least_mass);
-        const V inverse_mass = T(1) / m[0];
-        for (int d = 0; d < dim; ++d) u[dim + d] = select(has_mass, p[d] * inverse_mass, u[dim + d]);
-        motion_.put_lanes(i, u, register_nodes);
-        return Transfer::affine ? V(T(0)) : power_at(forces_, i, u);
+      const double power = sum_over_nodes([this](std::size_t i) { // FLIP: dv~ = sum N m dv_p / m_I; APIC: v'_I
+        const T inverse = T(1) / sums_(0, i);
+        for (int d = 0; d < dim; ++d) motion_(dim + d, i) = back_(d, i) * inverse;
+        return Transfer::affine ? T(0) : power_at(forces_, i);
       });
       if constexpr (!Transfer::affine) nodal_work(power);
     }
@@ -304,9 +286,10 @@ private:
   static constexpr bool keeps_raw = !Transfer::affine && !Scheme::stress_first && !Scheme::maps_velocity_back;
   static constexpr bool filters = Transfer::filter_order > 0;
   static constexpr wants for_gradients{true, false}, for_momentum{false, Transfer::affine}, for_transfer{Transfer::affine, Transfer::affine};
-  static constexpr int register_nodes = lane_width<V> < map::side ? lane_width<V> : map::side; // of one row, that a loop over nodes takes at once
   static constexpr T least_mass = std::numeric_limits<T>::min(); // of a node: less is subnormal, and its inverse may be infinite (3-D GIMP in float)
   static constexpr std::int64_t worth_threads = 16384; // particles, or nodes, below which threads cost more than they give
+  bool has_mass(std::size_t i) const { return sums_(0, i) > least_mass; }
+
   sums sums_;
   forces forces_, back_, external_, raw_, residual_, next_residual_, normals_, wall_forces_, contact_forces_;
   motion motion_;
@@ -314,10 +297,10 @@ private:
     std::int32_t block;
     grid::node_range<dim> nodes; // relative to the block
     bool images;                 // may some of them be images?
-    std::size_t first, with_mass; // its registers of nodes where one has mass, in with_mass_
+    std::size_t first, with_mass; // those of them that have mass, in with_mass_
   };
   std::vector<touched_part> touched_;  // nodes that particles touch in this step
-  std::vector<std::uint32_t> with_mass_; // first nodes
+  std::vector<std::uint32_t> with_mass_; // nodes
   std::vector<double> node_sums_;      // of a loop over nodes, one per touched block
   std::vector<update_report> reports_; // one per range
 
@@ -464,24 +447,18 @@ private:
     for (auto& m : mirrors) m.spread(mirrored);
     for (auto& p : periods) p.spread(mirrored);
     touched_.clear();
-    std::size_t registers = 0;
+    std::size_t total = 0;
     for (std::size_t b = 0; b < blocks.size(); ++b)
       if (mirrored[b]) {
-        auto part = mirrored[b] == map::holds_images ? whole : nodes[b];
-        int &low = part.low[dim - 1], &high = part.high[dim - 1]; // in whole registers
-        low -= low % register_nodes;
-        high += register_nodes - 1 - high % register_nodes;
-        touched_.push_back({static_cast<std::int32_t>(b), part, mirrored[b] == map::holds_images, registers, 0});
-        map::for_each_row(part, [&](int, int count) { registers += static_cast<std::size_t>(count / register_nodes) * velocity_fields; });
+        const auto part = mirrored[b] == map::holds_images ? whole : nodes[b];
+        touched_.push_back({static_cast<std::int32_t>(b), part, mirrored[b] == map::holds_images, total, 0});
+        map::for_each_row(part, [&](int, int count) { total += static_cast<std::size_t>(count) * velocity_fields; });
       }
-    with_mass_.resize(registers);
+    with_mass_.resize(total);
   }
   template <class... Columns> void clear(Columns&... columns) {
     (columns.resize(column_size()), ...);
-    const auto clear_run = [](auto& column, std::size_t first, std::size_t last) {
-      for (T* x = column.row(first); x < column.row(last); x += lane_width<V>) store(V(T(0)), x); // runs are of whole registers
-    };
-    each_row([&](std::size_t first, std::size_t last) { (clear_run(columns, first, last), ...); });
+    each_row([&](std::size_t first, std::size_t last) { (std::fill(columns.row(first), columns.row(last), T(0)), ...); });
   }
   /// f(first, last) for every run of touched nodes in the columns, of every velocity field.
   template <class F> void each_row(F&& f) {
@@ -490,19 +467,22 @@ private:
       return 0.0;
     });
   }
-  /// f(i) -> has one of them mass? for the touched nodes, a register at a time, the first of them i.
+  /// f(i) -> has it mass? for the touched nodes.
   template <class F> void find_mass(F&& f) {
     sum_over_parts([&](touched_part& part) {
-      part.with_mass = 0;
+      std::uint32_t* next = with_mass_.data() + part.first; // every node is written there, and overwritten where it has none
       each_row_of(part, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; i += register_nodes)
-          if (f(i)) with_mass_[part.first + part.with_mass++] = static_cast<std::uint32_t>(i);
+        for (std::size_t i = first; i < last; ++i) {
+          *next = static_cast<std::uint32_t>(i);
+          next += f(i);
+        }
       });
+      part.with_mass = static_cast<std::size_t>(next - with_mass_.data()) - part.first;
       return 0.0;
     });
   }
-  /// f(i) for those where one has mass.
-  template <class F> void each_register(F&& f) {
+  /// f(i) for the nodes that have mass.
+  template <class F> void each_node(F&& f) {
     sum_over_parts([&](const touched_part& part) {
       for (std::size_t k = part.first; k < part.first + part.with_mass; ++k) f(std::size_t{with_mass_[k]});
       return 0.0;
@@ -543,36 +523,27 @@ private:
       });
   }
 
-  /// Sum of what f(i) returns for the real ones of the nodes with mass, a register at a time, the first of them i.
-  template <class F> double sum_over_registers(F&& f) {
+  /// Sum of what f(i) returns for the real ones of the nodes that have mass, in the order of the blocks.
+  template <class F> double sum_over_nodes(F&& f) {
     return sum_over_parts([&](const touched_part& part) {
-      detail::lane_sum<V> sum;
+      double sum = 0;
       for (std::size_t k = part.first; k < part.first + part.with_mass; ++k) {
         const std::size_t i = with_mass_[k];
-        V x = f(i);
-        if (part.images)
-          for (int n = 0; n < register_nodes; ++n)
-            if (is_image(i + static_cast<std::size_t>(n))) x.set(n, T(0));
-        sum.add(x, register_nodes);
+        const T x = f(i);
+        if (!part.images || !is_image(i)) sum += static_cast<double>(x);
       }
-      return sum.total();
+      return sum;
     });
   }
   /// f.(v + dv/2), f a column of nodal forces; for affine transfers f.(v + v')/2. Nodes without mass have no velocity.
-  static BOLIDE_INLINE V power_at(const forces& f, std::size_t i, const V (&u)[motion::width]) {
+  BOLIDE_INLINE T power_at(const forces& f, std::size_t i) const {
     constexpr T half = T(0.5), first = Transfer::affine ? half : T(1);
-    V force[forces::width], power(T(0));
-    f.lanes(i, force);
-    for (int d = 0; d < dim; ++d) power += force[d] * (first * u[d] + half * u[dim + d]);
+    T power(0);
+    for (int d = 0; d < dim; ++d) power += f(d, i) * (first * motion_(d, i) + half * motion_(dim + d, i));
     return power;
   }
-  /// Its sum over the real nodes.
   double power_of(const forces& f) {
-    return sum_over_registers([&](std::size_t i) {
-      V u[motion::width];
-      motion_.lanes(i, u);
-      return power_at(f, i, u);
-    });
+    return sum_over_nodes([&](std::size_t i) { return power_at(f, i); });
   }
   /// The work of the stress leaves the nodes for the particles' energy: transfer loses and mismatch gains it. That of other forces has channels of
   /// its own.
@@ -583,7 +554,7 @@ private:
     if (!body_forces.empty()) book(external_, energy.body_work);
     if (!walls.empty()) {
       book(wall_forces_, energy.boundary_work);
-      give_momentum([this](std::size_t i, int d) { return sums_(0, i) > T(0) && !is_image(i) ? static_cast<double>(wall_forces_(d, i)) : 0.0; });
+      give_momentum([this](std::size_t i, int d) { return has_mass(i) && !is_image(i) ? static_cast<double>(wall_forces_(d, i)) : 0.0; });
     }
     if constexpr (Contact::multi_field) book(contact_forces_, energy.contact);
   }
@@ -633,7 +604,7 @@ private:
     by(d, i) += sums_(0, i) * change / dt;
   }
   template <bool Before> void push(const grid::moving_wall& w, std::size_t i) {
-    if (!(sums_(0, i) > T(0)) || !w.approaches(this->template free_velocity<Before>(i, w.axis))) return;
+    if (!has_mass(i) || !w.approaches(this->template free_velocity<Before>(i, w.axis))) return;
     for (int d = 0; d < dim; ++d)
       if (d == w.axis || w.stick) change_velocity(wall_forces_, i, d, (d == w.axis ? static_cast<T>(w.velocity) : T(0)) - this->template free_velocity<Before>(i, d));
   }
@@ -643,7 +614,7 @@ private:
     T mass = 0;
     std::array<T, dim> mean{}; // velocity of the centre of mass
     for (std::size_t at = place; at < column_size(); at += node_count())
-      if (sums_(0, at) > T(0)) {
+      if (has_mass(at)) {
         bodies[count++] = at;
         mass += sums_(0, at);
         for (std::size_t d = 0; d < dim; ++d) mean[d] += sums_(0, at) * this->template free_velocity<Before>(at, static_cast<int>(d));
@@ -807,10 +778,8 @@ private:
       });
       if (last) return;
       complete(next_residual_, 0);
-      each_row([this](std::size_t first, std::size_t end) {
-        for (int d = 0; d < dim; ++d)
-          for (std::size_t i = first; i < end; ++i)
-            if (sums_(0, i) > T(0)) next_residual_(d, i) /= sums_(0, i);
+      each_node([this](std::size_t i) {
+        for (int d = 0; d < dim; ++d) next_residual_(d, i) /= sums_(0, i);
       });
       std::swap(residual_, next_residual_);
     }
