@@ -22,6 +22,7 @@
 #include "bolide/solver/kernels.hpp"
 #include "bolide/solver/ledger.hpp"
 #include "bolide/solver/particle_set.hpp"
+#include "bolide/solver/touched_nodes.hpp"
 
 #include <limits>
 #include <tuple>
@@ -67,10 +68,15 @@ public:
   /// m_I = sum N m, P_I = sum N m v; with a stress that was updated last also f_I = -sum V sigma grad N.
   void map_to_nodes() {
     find_quiet_ranges();
-    find_touched_nodes();
-    clear(sums_, forces_);
-    if constexpr (maps_back) clear(back_);
-    if constexpr (keeps_raw) clear(raw_);
+    nodes_.find(blocks.size(), threads, [this](auto&& touch) {
+      for_each_set([&](const auto& s) {
+        for (const auto& r : s.ranges)
+          if (r.quiet != asleep) touch(r);
+      });
+    }, mirrors, periods);
+    nodes_.clear(sums_, forces_);
+    if constexpr (maps_back) nodes_.clear(back_);
+    if constexpr (keeps_raw) nodes_.clear(raw_);
     sweep([this](auto& set, auto& range, update_report&) {
       if (range.quiet == asleep) return;
       kernel::scatter(sums_, field_of(set), range, [&](const auto& to) {
@@ -85,7 +91,7 @@ public:
     });
     complete(sums_, 1);
     motion_.resize(column_size());
-    find_mass([this](std::size_t i) {
+    nodes_.find_mass([this](std::size_t i) {
       const T* const m = sums_.row(i);
       T* const v = motion_.row(i);
       const T inverse = has_mass(i) ? T(1) / m[0] : T(0);
@@ -93,7 +99,7 @@ public:
       return has_mass(i);
     });
     if (constrained()) {
-      clear(wall_forces_);
+      nodes_.clear(wall_forces_);
       if constexpr (Contact::multi_field) find_normals();
       if constexpr (Scheme::stress_first) constrain<true>();
     }
@@ -124,7 +130,7 @@ public:
     if (!body_forces.empty()) scatter_body_forces();
     complete(forces_, 0);
     const bool with_constraints = constrained();
-    each_node([this, with_constraints](std::size_t i) {
+    nodes_.each_with_mass([this, with_constraints](std::size_t i) {
       const T factor = dt / sums_(0, i);
       const T *const f = forces_.row(i), *const b = body_forces.empty() ? nullptr : external_.row(i);
       T* const v = motion_.row(i);
@@ -134,7 +140,7 @@ public:
       }
     });
     if (with_constraints) constrain<false>();
-    if constexpr (keeps_raw) each_node([this](std::size_t i) {
+    if constexpr (keeps_raw) nodes_.each_with_mass([this](std::size_t i) {
       for (int d = 0; d < dim; ++d) raw_(d, i) = motion_(d, i) + motion_(dim + d, i);
     });
     if constexpr (Transfer::affine) nodal_work(power_of(forces_));
@@ -287,21 +293,13 @@ private:
   static constexpr bool filters = Transfer::filter_order > 0;
   static constexpr wants for_gradients{true, false}, for_momentum{false, Transfer::affine}, for_transfer{Transfer::affine, Transfer::affine};
   static constexpr T least_mass = std::numeric_limits<T>::min(); // of a node: less is subnormal, and its inverse may be infinite (3-D GIMP in float)
-  static constexpr std::int64_t worth_threads = 16384; // particles, or nodes, below which threads cost more than they give
+  static constexpr std::int64_t worth_threads = 16384; // particles below which threads cost more than they give
   bool has_mass(std::size_t i) const { return sums_(0, i) > least_mass; }
 
   sums sums_;
   forces forces_, back_, external_, raw_, residual_, next_residual_, normals_, wall_forces_, contact_forces_;
   motion motion_;
-  struct touched_part {
-    std::int32_t block;
-    grid::node_range<dim> nodes; // relative to the block
-    bool images;                 // may some of them be images?
-    std::size_t first, with_mass; // those of them that have mass, in with_mass_
-  };
-  std::vector<touched_part> touched_;  // nodes that particles touch in this step
-  std::vector<std::uint32_t> with_mass_; // nodes
-  std::vector<double> node_sums_;      // of a loop over nodes, one per touched block
+  touched_nodes<dim, velocity_fields> nodes_;
   std::vector<update_report> reports_; // one per range
 
   /// Makes the blocks around the occupied ones, and what the boundaries know of them.
@@ -425,122 +423,16 @@ private:
     return false;
   }
 
-  /// Which nodes of which blocks do particles touch? Only they are cleared and looped over: empty halo costs nothing.
-  void find_touched_nodes() {
-    const grid::node_range<dim> whole = map::whole_block();
-    std::vector<grid::node_range<dim>> nodes(blocks.size(), grid::node_range<dim>{whole.high, whole.low}); // of no node
-    std::vector<char> touched(blocks.size(), 0);
-    for_each_set([&](const auto& s) {
-      for (const auto& r : s.ranges) {
-        if (r.quiet == asleep) continue;
-        for (int n = 0; n < map::neighbours; ++n) {
-          const auto part = r.part_in_neighbour(n);
-          if (part.empty()) continue;
-          const auto b = static_cast<std::size_t>(r.near[static_cast<std::size_t>(n)]);
-          if (!touched[b]) nodes[b] = part;
-          else nodes[b].merge(part);
-          touched[b] = 1;
-        }
-      }
-    });
-    std::vector<char> mirrored = touched;
-    for (auto& m : mirrors) m.spread(mirrored);
-    for (auto& p : periods) p.spread(mirrored);
-    touched_.clear();
-    std::size_t total = 0;
-    for (std::size_t b = 0; b < blocks.size(); ++b)
-      if (mirrored[b]) {
-        const auto part = mirrored[b] == map::holds_images ? whole : nodes[b];
-        touched_.push_back({static_cast<std::int32_t>(b), part, mirrored[b] == map::holds_images, total, 0});
-        map::for_each_row(part, [&](int, int count) { total += static_cast<std::size_t>(count) * velocity_fields; });
-      }
-    with_mass_.resize(total);
-  }
-  template <class... Columns> void clear(Columns&... columns) {
-    (columns.resize(column_size()), ...);
-    each_row([&](std::size_t first, std::size_t last) { (std::fill(columns.row(first), columns.row(last), T(0)), ...); });
-  }
-  /// f(first, last) for every run of touched nodes in the columns, of every velocity field.
-  template <class F> void each_row(F&& f) {
-    sum_over_rows([&](const touched_part&, std::size_t first, std::size_t last) {
-      f(first, last);
-      return 0.0;
-    });
-  }
-  /// f(i) -> has it mass? for the touched nodes.
-  template <class F> void find_mass(F&& f) {
-    sum_over_parts([&](touched_part& part) {
-      std::uint32_t* next = with_mass_.data() + part.first; // every node is written there, and overwritten where it has none
-      each_row_of(part, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-          *next = static_cast<std::uint32_t>(i);
-          next += f(i);
-        }
-      });
-      part.with_mass = static_cast<std::size_t>(next - with_mass_.data()) - part.first;
-      return 0.0;
-    });
-  }
-  /// f(i) for the nodes that have mass.
-  template <class F> void each_node(F&& f) {
-    sum_over_parts([&](const touched_part& part) {
-      for (std::size_t k = part.first; k < part.first + part.with_mass; ++k) f(std::size_t{with_mass_[k]});
-      return 0.0;
-    });
-  }
-  /// Sum of f(part, first, last) over the runs of touched nodes in the columns, in the order of the blocks.
-  template <class F> double sum_over_rows(F&& f) {
-    return sum_over_parts([&](const touched_part& part) {
-      double sum = 0;
-      each_row_of(part, [&](std::size_t first, std::size_t last) { sum += f(part, first, last); });
-      return sum;
-    });
-  }
-  /// f(first, last) for every run of nodes of a part in the columns, in every velocity field.
-  template <class F> void each_row_of(const touched_part& part, F&& f) const {
-    map::for_each_row(part.nodes, [&](int local, int count) {
-      const std::size_t first = static_cast<std::size_t>(part.block) * map::nodes_per_block + static_cast<std::size_t>(local);
-      for (std::size_t at = first; at < column_size(); at += node_count()) f(at, at + static_cast<std::size_t>(count));
-    });
-  }
-  /// Sum of f(part) over the touched parts of blocks, in the order of the blocks.
-  template <class F> double sum_over_parts(F&& f) {
-    const auto n = static_cast<std::int64_t>(touched_.size());
-    node_sums_.assign(touched_.size(), 0);
-#if defined(_OPENMP)
-#pragma omp parallel for num_threads(threads) schedule(static) if (n * map::nodes_per_block > worth_threads)
-#endif
-    for (std::int64_t b = 0; b < n; ++b) node_sums_[static_cast<std::size_t>(b)] = f(touched_[static_cast<std::size_t>(b)]);
-    double total = 0;
-    for (const double part : node_sums_) total += part;
-    return total;
-  }
-  /// f(node) for every touched node.
-  template <class F> void each_place(F&& f) {
-    for (const auto& part : touched_)
-      map::for_each_row(part.nodes, [&](int local, int count) {
-        for (int i = local; i < local + count; ++i) f(static_cast<std::size_t>(part.block) * map::nodes_per_block + static_cast<std::size_t>(i));
-      });
-  }
-
-  /// Sum of what f(i) returns for the real ones of the nodes that have mass, in the order of the blocks.
-  template <class F> double sum_over_nodes(F&& f) {
-    return sum_over_parts([&](const touched_part& part) {
-      double sum = 0;
-      for (std::size_t k = part.first; k < part.first + part.with_mass; ++k) {
-        const std::size_t i = with_mass_[k];
-        const T x = f(i);
-        if (!part.images || !is_image(i)) sum += static_cast<double>(x);
-      }
-      return sum;
-    });
-  }
   /// f.(v + dv/2), f a column of nodal forces; for affine transfers f.(v + v')/2. Nodes without mass have no velocity.
   BOLIDE_INLINE T power_at(const forces& f, std::size_t i) const {
     constexpr T half = T(0.5), first = Transfer::affine ? half : T(1);
     T power(0);
     for (int d = 0; d < dim; ++d) power += f(d, i) * (first * motion_(d, i) + half * motion_(dim + d, i));
     return power;
+  }
+  /// Sum of what f(i) returns for the real nodes that have mass.
+  template <class F> double sum_over_nodes(F&& f) {
+    return nodes_.sum_with_mass(f, [this](std::size_t i) { return is_image(i); });
   }
   double power_of(const forces& f) {
     return sum_over_nodes([&](std::size_t i) { return power_at(f, i); });
@@ -570,7 +462,7 @@ private:
 
   /// Outward direction of every body: sum V grad N, which points from its particles to the node.
   void find_normals() {
-    clear(normals_, contact_forces_);
+    nodes_.clear(normals_, contact_forces_);
     sweep([this](auto& set, auto& range, update_report&) {
       if (range.quiet == asleep) return;
       kernel::scatter(normals_, field_of(set), range, [&](const auto& to) {
@@ -583,18 +475,16 @@ private:
   /// Changes node velocities to what contact and walls allow: before the stress those that the particles brought, then those that the forces
   /// left. The change goes to the second half of `motion_`, the force that makes it is remembered for the ledger.
   template <bool Before> void constrain() {
-    if constexpr (Contact::multi_field) each_place([this](std::size_t place) { this->template separate_bodies<Before>(place); });
+    if constexpr (Contact::multi_field)
+      nodes_.each_place([this](std::size_t block, int n) { this->template separate_bodies<Before>(place(block, n)); });
     for (const auto& w : walls)
-      for (const auto& part : touched_)
-        map::for_each_row(part.nodes, [&](int local, int count) {
-          for (int n = local; n < local + count; ++n) {
-            const double x = blocks.node_at(static_cast<std::size_t>(part.block), n)[static_cast<std::size_t>(w.axis)] * h;
-            if (!w.holds(x, time + static_cast<double>(dt), h)) continue;
-            const std::size_t place = static_cast<std::size_t>(part.block) * map::nodes_per_block + static_cast<std::size_t>(n);
-            for (std::size_t at = place; at < column_size(); at += node_count()) this->template push<Before>(w, at);
-          }
-        });
+      nodes_.each_place([&](std::size_t block, int n) {
+        const double x = blocks.node_at(block, n)[static_cast<std::size_t>(w.axis)] * h;
+        if (!w.holds(x, time + static_cast<double>(dt), h)) return;
+        for (std::size_t at = place(block, n); at < column_size(); at += node_count()) this->template push<Before>(w, at);
+      });
   }
+  static constexpr std::size_t place(std::size_t block, int n) { return block * map::nodes_per_block + static_cast<std::size_t>(n); }
   /// The velocity that constrain() looks at, component d of node value i.
   template <bool Before> T free_velocity(std::size_t i, int d) const {
     return motion_(dim + d, i) + (Before || !Transfer::affine ? motion_(d, i) : T(0));
@@ -647,16 +537,12 @@ private:
   /// Counts the momentum that forces on the nodes give in this step; force(node value, axis).
   template <class F> void give_momentum(F&& force) {
     for (int d = 0; d < dim; ++d)
-      energy.momentum_given[static_cast<std::size_t>(d)] += static_cast<double>(dt) * sum_over_rows([&](const touched_part&, std::size_t begin, std::size_t end) {
-        double sum = 0;
-        for (std::size_t i = begin; i < end; ++i) sum += force(i, d);
-        return sum;
-      });
+      energy.momentum_given[static_cast<std::size_t>(d)] += static_cast<double>(dt) * nodes_.sum([&](std::size_t i) { return force(i, d); });
   }
 
   /// sum N m b(x_p, t), and the momentum that it gives.
   void scatter_body_forces() {
-    clear(external_);
+    nodes_.clear(external_);
     sweep([this](auto& set, auto& range, update_report&) {
       kernel::scatter(external_, field_of(set), range, [&](const auto& to) {
         chunks<wants{}>(set, range, [&](const auto& c) {
@@ -763,7 +649,7 @@ private:
   void filter_velocities() {
     for (int j = 1; j <= Transfer::filter_order; ++j) {
       const bool last = j == Transfer::filter_order;
-      if (!last) clear(next_residual_);
+      if (!last) nodes_.clear(next_residual_);
       sweep([&](auto& set, auto& range, update_report&) {
         if (sleeps_on(set, range)) return;
         const auto run = [&](const auto& nodes) {
@@ -778,7 +664,7 @@ private:
       });
       if (last) return;
       complete(next_residual_, 0);
-      each_node([this](std::size_t i) {
+      nodes_.each_with_mass([this](std::size_t i) {
         for (int d = 0; d < dim; ++d) next_residual_(d, i) /= sums_(0, i);
       });
       std::swap(residual_, next_residual_);
