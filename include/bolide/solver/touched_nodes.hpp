@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The nodes that particles touch in a step, and loops over them.
 //
-// Only they are cleared and looped over: empty halo costs nothing. Loops run in parallel over the blocks; what they sum is kept block by block and added in
-// the order of the blocks, so the number of threads does not change a bit. A node with several velocity fields has a number in each: those of a field
-// follow all of the field before.
+// Only they are cleared and looped over: empty halo costs nothing. Loops run in parallel over the blocks; what they sum is kept block by block and
+// added in the order of the blocks, so the number of threads does not change a bit. A node with several velocity fields has a number in each:
+// those of a field follow all of the field before.
 #pragma once
 
 #include "bolide/grid/sparse.hpp"
@@ -21,8 +21,8 @@ public:
   using map = grid::block_map<Dim>;
   static constexpr std::int64_t worth_threads = 16384; // nodes below which threads cost more than they give
 
-  /// Begins a step on a grid of so many blocks. each_range(f) calls f(range) for the ranges whose particles bring something to the nodes; boundaries are
-  /// lists of mirrors or periods, which touch the images of what is touched.
+  /// Begins a step on a grid of so many blocks. each_range(f) calls f(range) for the ranges whose particles bring something to the nodes;
+  /// boundaries are lists of mirrors or periods, which touch the images of what is touched.
   template <class F, class... Boundaries> void find(std::size_t blocks, int threads, F&& each_range, Boundaries&... boundaries) {
     threads_ = threads;
     node_count_ = blocks * map::nodes_per_block;
@@ -31,11 +31,11 @@ public:
     std::vector<char> touched(blocks, 0);
     each_range([&](const auto& range) {
       for (int n = 0; n < map::neighbours; ++n) {
-        const auto part = range.part_in_neighbour(n);
-        if (part.empty()) continue;
+        const auto seen = range.part_in_neighbour(n);
+        if (seen.empty()) continue;
         const auto b = static_cast<std::size_t>(range.near[static_cast<std::size_t>(n)]);
-        if (!touched[b]) nodes[b] = part;
-        else nodes[b].merge(part);
+        if (!touched[b]) nodes[b] = seen;
+        else nodes[b].merge(seen);
         touched[b] = 1;
       }
     });
@@ -58,7 +58,9 @@ public:
   template <class... Columns> void clear(Columns&... columns) {
     (columns.resize(Fields * node_count_), ...);
     sum_over_parts([&](const part& p) {
-      each_run_of(p, [&](std::size_t first, std::size_t last) { (std::fill(columns.row(first), columns.row(last), typename Columns::scalar(0)), ...); });
+      each_run_of(p, [&](std::size_t first, std::size_t last) {
+        (std::fill(columns.row(first), columns.row(last), typename Columns::scalar(0)), ...);
+      });
       return 0.0;
     });
   }
@@ -86,23 +88,23 @@ public:
   /// Sum of what f(i) returns for them; is_image(i) are left out.
   template <class F, class Image> double sum_with_mass(F&& f, Image&& is_image) {
     return sum_over_parts([&](const part& p) {
-      double sum = 0;
+      double total = 0;
       for (std::size_t k = p.first; k < p.first + p.with_mass; ++k) {
         const std::size_t i = with_mass_[k];
         const auto x = f(i);
-        if (!p.images || !is_image(i)) sum += static_cast<double>(x);
+        if (!p.images || !is_image(i)) total += static_cast<double>(x);
       }
-      return sum;
+      return total;
     });
   }
   /// Sum of what f(i) returns for every node.
   template <class F> double sum(F&& f) {
     return sum_over_parts([&](const part& p) {
-      double sum = 0;
+      double total = 0;
       each_run_of(p, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) sum += f(i);
+        for (std::size_t i = first; i < last; ++i) total += f(i);
       });
-      return sum;
+      return total;
     });
   }
   /// f(block, node of the block) for every node of the first field, one after the other.
