@@ -24,6 +24,7 @@
 #include "bolide/solver/particle_set.hpp"
 #include "bolide/solver/touched_nodes.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <tuple>
 #include <vector>
@@ -94,7 +95,7 @@ public:
     nodes_.find_mass([this](std::size_t i) {
       const T* const m = sums_.row(i);
       T* const v = motion_.row(i);
-      const T inverse = has_mass(i) ? T(1) / m[0] : T(0);
+      const T inverse = T(has_mass(i)) / std::max(m[0], least_mass); // no branch: in debris it would go either way
       for (int d = 0; d < dim; ++d) v[d] = m[1 + d] * inverse, v[dim + d] = T(0);
       return has_mass(i);
     });
