@@ -70,7 +70,7 @@ public:
   void map_to_nodes() {
     find_quiet_ranges();
     nodes_.find(blocks.size(), threads, [this](auto&& touch) {
-      for_each_set([&](const auto& s) {
+      this->for_each_set([&](const auto& s) {
         for (const auto& r : s.ranges)
           if (r.quiet != asleep) touch(r);
       });
