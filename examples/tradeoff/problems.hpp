@@ -31,6 +31,7 @@ problem plate_impact_paper();   // the paper's equation of state, 6.64 km/s
 problem plate_impact_steel();   // Mie-Grueneisen, 3 km/s
 problem plate_impact_fast();    // Mie-Grueneisen aluminium, 12 km/s
 problem noh_sphere();           // an ideal gas falls into one point
+problem sod_tube();
 problem taylor_copper();        // 190 m/s
 problem taylor_steel();         // 300 m/s
 problem taylor_steel_slow();    // 200 m/s
@@ -38,6 +39,7 @@ problem breathing_aluminium();
 problem breathing_lead();
 problem breathing_glass();
 problem paper_impact();         // the paper's case
+problem thick_impact();         // 8 mm on 3 mm at 4.5 km/s
 
 // for the judge
 problem plate_impact_copper();  // Mie-Grueneisen, 2 km/s
@@ -45,7 +47,6 @@ problem plate_impact_tillotson(); // Tillotson's aluminium, 9 km/s
 problem noh_cylinder();         // falls onto a line
 problem taylor_aluminium();     // 250 m/s, a slender bar
 problem breathing_steel();
-problem sod_tube();
 problem plate_impact_tungsten(); // Mie-Grueneisen, 4 km/s
 problem taylor_iron();          // 220 m/s
 problem breathing_tungsten();

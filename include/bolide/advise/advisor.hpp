@@ -15,7 +15,7 @@
 // Accuracies and budgets are answered at resolutions with a whole number of particles per length, measured or between.
 // sure: the probability that the error stays below the asked one, when ln(true/predicted) is normal with variance s^2 (1 + 1/problems); s is the scatter that
 // problems of one kind show about e_p (x/x_p)^b: the method's own, with the weight of its figures, and the kind's, with a weight of 4 (all kinds together where
-// the kind has one problem; 0.1 is the least). Beyond the measured resolutions 0.25 is added to s. An accuracy counts as reached where sure is at least
+// the kind has one problem; 0.1 is the least). Beyond the measured resolutions 0.25 is added to s for every halving of the cells. An accuracy counts as reached where sure is at least
 // `confidence`, 0.8 unless asked otherwise.
 // Presets: "draft" is for_accuracy(scene, 0.05), "standard" 0.02, "reference" the most accurate measured point of the front of error against cost.
 // Validity: a scene is as good as its kind; an error of another measure than the table's is another number.
@@ -177,7 +177,8 @@ private:
   struct candidate {
     method how;
     double cells = 0, error = 0, cost = 0;
-    bool beyond = false;
+    double finer = 1; // than measured, so many times
+    bool beyond() const { return finer > 1 + 1e-9; }
   };
 
   /// What the problems of a kind have in common.
@@ -375,7 +376,7 @@ private:
     return interpolate(c, cells, -order(c), [](const point& p) { return p.error; }) + k.exponent * std::log(strength / c.strength);
   }
   candidate at(const scene& what, const method& how, double cells) const {
-    candidate c{how, cells, 0, 0, false};
+    candidate c{how, cells, 0, 0, 1};
     const auto of = curves(what.kind, how);
     double log_cost = 0, log_error = 0;
     for (const curve* one : of) {
@@ -386,7 +387,7 @@ private:
     }
     c.error = std::exp(log_error / static_cast<double>(of.size()));
     c.cost = std::exp(log_cost / static_cast<double>(of.size()));
-    c.beyond = cells > finest(of) * (1 + 1e-9);
+    c.finer = std::max(1.0, cells / finest(of));
     return c;
   }
   std::vector<candidate> candidates(const scene& what) const {
@@ -397,16 +398,16 @@ private:
   }
   /// The probability that the error is at most `asked`.
   double sure(const scene& what, const candidate& c, double asked) const {
-    const double s = (scatter(what.kind, c.how) + (c.beyond ? 0.25 : 0)) * std::sqrt(1 + 1 / static_cast<double>(curves(what.kind, c.how).size()));
+    const double s = (scatter(what.kind, c.how) + 0.25 * std::log2(c.finer)) * std::sqrt(1 + 1 / static_cast<double>(curves(what.kind, c.how).size()));
     return 0.5 * std::erfc(-std::log(asked / c.error) / s / std::sqrt(2.0));
   }
-  advice answer(const scene& what, const candidate& c, double asked) const { return {c.how, c.cells, c.error, c.cost, sure(what, c, asked), false, c.beyond, {}}; }
+  advice answer(const scene& what, const candidate& c, double asked) const { return {c.how, c.cells, c.error, c.cost, sure(what, c, asked), false, c.beyond(), {}}; }
   std::string basis(const scene& what, const candidate& c) const {
     const std::size_t n = problems(what.kind);
     std::string text = ", by the " + std::string(n == 1 ? "one problem" : std::to_string(n) + " problems") + " of kind " + what.kind + ":";
     for (const curve* one : curves(what.kind, c.how))
       text += (text.back() == ':' ? " " : ", ") + one->problem + " " + percent(std::exp(interpolate(*one, c.cells, -order(*one), [](const point& p) { return p.error; })));
-    return c.beyond ? text + " (beyond the finest measured)" : text;
+    return c.beyond() ? text + " (beyond the finest measured)" : text;
   }
 };
 

@@ -26,6 +26,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -150,7 +151,7 @@ public:
   /// New particle velocities; what the scheme or the transfer needs back on the nodes.
   void map_to_particles() {
     if constexpr (Transfer::filter_order > 1) filter_velocities();
-    sweep([this](auto& set, auto& range, update_report& report) {
+    sweep<maps_back>([this](auto& set, auto& range, update_report& report) {
       if (sleeps_on(set, range)) return;
       kernel::gather(motion_, field_of(set), range, [&](const auto& nodes) {
         const auto run = [&](const auto& to) {
@@ -183,7 +184,7 @@ public:
   /// Work of the nodal forces to the particles, stress where it is updated last, and motion.
   void work_and_move() {
     if constexpr (!Scheme::stress_first) start_report();
-    sweep([&](auto& set, auto& range, update_report& report) {
+    sweep<only_reads>([&](auto& set, auto& range, update_report& report) {
       constexpr bool only_work = Scheme::stress_first;
       if (only_work ? range.quiet > 0 : sleeps_on(set, range, report)) return;
       if constexpr (!Transfer::affine || !Scheme::stress_first)
@@ -216,7 +217,7 @@ public:
   /// Pressure, sound speed and the first time step from the initial state.
   void initialise_stress() {
     start_report();
-    sweep([this](auto& set, auto& range, update_report& report) { this->update_without_motion(set, range, report); });
+    sweep<only_reads>([this](auto& set, auto& range, update_report& report) { this->update_without_motion(set, range, report); });
     finish_report();
   }
 
@@ -292,9 +293,10 @@ private:
   /// Does the stress follow the velocities that the forces left on the nodes, where the column `motion_` no longer has them?
   static constexpr bool keeps_raw = !Transfer::affine && !Scheme::stress_first && !Scheme::maps_velocity_back;
   static constexpr bool filters = Transfer::filter_order > 0;
+  static constexpr bool only_reads = false; // the nodes: a sweep that adds nothing to them
   static constexpr wants for_gradients{true, false}, for_momentum{false, Transfer::affine}, for_transfer{Transfer::affine, Transfer::affine};
   static constexpr T least_mass = std::numeric_limits<T>::min(); // of a node: less is subnormal, and its inverse may be infinite (3-D GIMP in float)
-  static constexpr std::int64_t worth_threads = 16384; // particles below which threads cost more than they give
+  static constexpr std::size_t worth_threads = 16384; // particles below which threads cost more than they give
   bool has_mass(std::size_t i) const { return sums_(0, i) > least_mass; }
 
   sums sums_;
@@ -320,25 +322,34 @@ private:
 
   step_context<T> context(bool gradient_at_end) const { return {dt, static_cast<T>(h), courant, ignore_below, gradient_at_end}; }
 
-  /// f(set, range, report) for every block range of every body, colour by colour.
-  template <class F> void sweep(F&& f) {
-    std::size_t total = 0;
-    for_each_set([&](auto& s) { total += s.ranges.size(); });
-    reports_.assign(total, update_report{});
-    std::size_t first = 0;
-    for_each_set([&](auto& s) {
-      for (const auto& colour : s.by_colour) {
-        const auto count = static_cast<std::int64_t>(colour.size());
+  /// f(set, range, report) for every block range of every body; colour by colour if it adds to nodes, else no block waits for another.
+  template <bool AddsToNodes = true, class F> void sweep(F&& f) {
+    const auto lists_of = [](const auto& s) {
+      if constexpr (AddsToNodes) return std::span(s.by_colour);
+      else return std::span(&s.by_size, 1);
+    };
+    std::size_t ranges = 0, particles = 0;
+    for_each_set([&](const auto& s) { ranges += s.ranges.size(), particles += s.columns.size(); });
+    reports_.assign(ranges, update_report{});
 #if defined(_OPENMP)
-#pragma omp parallel for num_threads(threads) schedule(dynamic, 1) if (static_cast<std::int64_t>(s.columns.size()) > worth_threads)
+#pragma omp parallel num_threads(threads) if (particles > worth_threads)
 #endif
-        for (std::int64_t i = 0; i < count; ++i) {
-          const auto r = static_cast<std::size_t>(colour[static_cast<std::size_t>(i)]);
-          f(s, s.ranges[r], reports_[first + r]);
+    {
+      std::size_t first = 0;
+      for_each_set([&](auto& s) {
+        for (const auto& list : lists_of(s)) {
+          const auto count = static_cast<std::int64_t>(list.size());
+#if defined(_OPENMP)
+#pragma omp for schedule(dynamic, 1)
+#endif
+          for (std::int64_t i = 0; i < count; ++i) {
+            const auto r = static_cast<std::size_t>(list[static_cast<std::size_t>(i)]);
+            f(s, s.ranges[r], reports_[first + r]);
+          }
         }
-      }
-      first += s.ranges.size();
-    });
+        first += s.ranges.size();
+      });
+    }
     for (const auto& r : reports_) total_ += r;
   }
   update_report total_;
