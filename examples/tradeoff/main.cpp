@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What does accuracy cost? Compositions of the solver on problems with known answers: error against CPU time, and the advisor that reads the table.
 //
-//   bash examples/run.sh tradeoff                     the matrix (some 15 minutes on one core) to tradeoff_out/: CSV, JSON, pictures, report.html
+//   bash examples/run.sh tradeoff                     the matrix (some 25 minutes on one core) to tradeoff_out/: CSV, JSON, pictures, report.html
 //   bash examples/run.sh tradeoff --judge --docs .    and: is the advice good on other problems? and docs/tradeoff.md, include/bolide/advise/measured.hpp
 //   --minutes N     no run is begun after that, the finest are left out (default 60)      --out DIR     results
 //   --from FILE     rows of an earlier tradeoff.csv are not measured again                --judged FILE nor those of an earlier judge.csv

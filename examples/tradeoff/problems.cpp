@@ -4,7 +4,7 @@
 namespace tradeoff {
 
 std::vector<problem> matrix_problems() {
-  return {plate_impact_paper(), plate_impact_steel(), plate_impact_fast(), sod_tube(), noh_sphere(), taylor_copper(), taylor_steel(), taylor_steel_slow(),
+  return {plate_impact_paper(), plate_impact_steel(), plate_impact_fast(), sod_tube(), light_tube(), noh_sphere(), taylor_copper(), taylor_steel(), taylor_steel_slow(),
           breathing_aluminium(), breathing_lead(), breathing_glass(), paper_impact(), thick_impact()};
 }
 std::vector<problem> judge_problems() {

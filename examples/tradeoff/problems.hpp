@@ -2,7 +2,8 @@
 // The problems, each in a file of its own that says what its error is. All are in r-z, so that every composition is compiled once.
 //
 //   name          in tables and files
-//   kind          of errors: problems of one kind are expected to lose accuracy in the same way. "shock", "convergence", "plasticity", "wave", "impact"
+//   kind          of errors: problems of one kind are expected to lose accuracy in the same way. "shock" (of a metal), "gas" (its tubes),
+//                 "convergence", "plasticity", "wave", "impact"
 //   length        m, what `settings::cells` counts: cell = length / cells
 //   extent        how much material: its area in the r-z plane over length^2, or, in a tube of four cells' width, its length over `length`
 //   duration      time x fastest speed (sound + material) over length: what steps are counted by
@@ -32,6 +33,7 @@ problem plate_impact_steel();   // Mie-Grueneisen, 3 km/s
 problem plate_impact_fast();    // Mie-Grueneisen aluminium, 12 km/s
 problem noh_sphere();           // an ideal gas falls into one point
 problem sod_tube();
+problem light_tube();           // pressure ratio 30, gamma 1.4
 problem taylor_copper();        // 190 m/s
 problem taylor_steel();         // 300 m/s
 problem taylor_steel_slow();    // 200 m/s

@@ -14,8 +14,9 @@
 // Phases, by what the model is found to do: one region per patch (grover: melt_fraction linear in e, T_m cubic in u); or solid and liquid
 // told by T > T_m(V) (isentrope_temperature; better: tabulate the model inside it and wrap the table); else the region is that of the
 // nearest node, melt_fraction and T_m are bilinear between the nodes of a patch (eos::reference).
-// Outside: p and T bilinear in u and z, the borders and T_m those of the last column (finite, p continuous), told by outside_validity() and
-// validity().
+// Outside the table's range, told by validity() and outside_validity(), the exact model answers, lane by lane in double. The last cell's
+// polynomial must not go on there: below eta_low = 0.2 p at a constant e rises with expansion (cohesion fades), so vapour that expands would
+// do work without end (mixed, at eta = 0.1 and 15.5 MJ/kg: 1.8 GPa instead of 0.4). Below the cold curve p and T go on linearly in e.
 //
 // error() is twice the worst of 25 samples in every cell, in p, c^2, T and melt fraction each; random points have not exceeded it
 // (tests/unit/eos/tabulated_test.cpp). base() is the exact model, kept for set-up work. With the default (p, c^2, T):
@@ -23,8 +24,8 @@
 // Where a quantum lattice freezes out (eos::reference, within some 10 kJ/kg of 0 K) T(e), and under tension p, bend within a cell and error()
 // is large (1e-2 in p); above 200 K it is 2e-5 in p and 3e-4 in c^2.
 // Cost: two log, four to six cache lines per lane, some 250 flops, 13 to 24 ns per lane in pack<double, 8> whatever the model costs: for
-// models that cost more (an exact lattice sum: 800 ns). Memory with the default: 0.7 to 2.7 MB in double, half of it in float. Set-up: some 150
-// calls of the exact model per cell.
+// models that cost more (an exact lattice sum: 800 ns). A lane outside costs a scalar call of the model on top (mixed: 50 ns). Memory with the
+// default: 0.7 to 2.7 MB in double, half of it in float. Set-up: some 150 calls of the exact model per cell.
 #pragma once
 
 #include "bolide/concepts/equation_of_state.hpp"
@@ -81,6 +82,37 @@ public:
   }
 
   template <class V> BOLIDE_INLINE auto evaluate(V rho, V e) const {
+    auto r = read_table(rho, e);
+    if (any(outside_validity(rho, e))) r = with_model(r, rho, e);
+    return r;
+  }
+
+  double reference_density() const { return eos_.reference_density(); }
+  const Eos& base() const { return eos_; }
+  const tabulated_parameters& values() const { return q_; }
+  /// Twice the worst of what was sampled in the table's range.
+  const surface_error& error() const { return error_; }
+  std::size_t bytes() const { return (nodes_double_.size() + borders_double_.size()) * sizeof(record<double>); } // of the double table
+  /// The table's range; beyond it the model answers.
+  validity_box validity() const {
+    validity_box box = validity_of(eos_);
+    box.density_low = density_low_, box.density_high = density_high_;
+    box.energy_high = std::min(box.energy_high, energy_high_);
+    if constexpr (!thermal) box.energy_low = std::max(box.energy_low, energy_low_);
+    return box;
+  }
+  template <class V> BOLIDE_INLINE mask_t<V> outside_validity(V rho, V e) const {
+    using T = scalar_t<V>;
+    const auto in = rho >= V(T(density_low_)) && rho <= V(T(density_high_)) && e <= V(T(energy_high_)); // NaN is outside
+    if constexpr (thermal) return !in;
+    else return !(in && e >= V(T(energy_low_)));
+  }
+  const char* branch_name(double rho, double e) const { return region_name(eos_, rho, e); }
+  std::vector<double> energy_borders(double rho) const { return energy_borders_of(eos_, rho); }
+  std::vector<double> density_borders() const { return density_borders_of(eos_); }
+
+private:
+  template <class V> BOLIDE_INLINE auto read_table(V rho, V e) const {
     using T = scalar_t<V>;
     const column_place<V> c = find_column(log(rho * T(inverse_density_)));
     const weights<V> in_u(c.t);
@@ -98,42 +130,43 @@ public:
     row_reader<8, 8>::template columns<V>(nodes + 8, upper, n11);
 
     // d/de and d/drho at constant e of what is a function of (t, z).
-    const sheet<V> p = read<0>(in_u, in_z, n00, n01, n10, n11, c.beyond, at.beyond);
+    const sheet<V> p = read<0>(in_u, in_z, n00, n01, n10, n11, at.beyond);
     const V inverse_rho = V(T(1)) / rho, z_t = -at.inverse_wide * (at.low_u + at.z * at.wide_u);
     const V p_e = p.z * at.inverse_wide, p_rho = (p.t + p.z * z_t) * c.inverse_step * inverse_rho;
     const V c2 = p_rho + p.value * p_e * inverse_rho * inverse_rho;
     if constexpr (!thermal) return caloric_point<V>{p.value, c2, p_e};
     else {
-      const sheet<V> t = read<4>(in_u, in_z, n00, n01, n10, n11, c.beyond, at.beyond);
+      const sheet<V> t = read<4>(in_u, in_z, n00, n01, n10, n11, at.beyond);
       const phase_place<V> f = find_phase(c, in_u, at, t.value);
       return thermal_point<V>{p.value, c2, t.value, f.melting, f.melt_fraction, at.lowest, f.region, p_e, t.z * at.inverse_wide};
     }
   }
-
-  double reference_density() const { return eos_.reference_density(); }
-  const Eos& base() const { return eos_; }
-  const tabulated_parameters& values() const { return q_; }
-  /// Twice the worst of what was sampled in the table's range.
-  const surface_error& error() const { return error_; }
-  std::size_t bytes() const { return (nodes_double_.size() + borders_double_.size()) * sizeof(record<double>); } // of the double table
-  validity_box validity() const {
-    validity_box box = validity_of(eos_);
-    box.density_low = density_low_, box.density_high = density_high_;
-    box.energy_high = std::min(box.energy_high, energy_high_);
-    if constexpr (!thermal) box.energy_low = std::max(box.energy_low, energy_low_);
-    return box;
+  /// r with the model's answer in the lanes outside. Out of line: most packs of particles have none.
+  template <class V, class Point> __attribute__((noinline)) Point with_model(Point r, V rho, V e) const {
+    for (int i = 0; i < lane_width<V>; ++i) {
+      const double rho_i = static_cast<double>(lane(rho, i)), e_i = static_cast<double>(lane(e, i));
+      if (!outside_validity(lane(rho, i), lane(e, i))) continue;
+      const auto exact = eos_.evaluate(rho_i, e_i);
+      set_lane(r.pressure, i, exact.pressure);
+      set_lane(r.sound_speed_squared, i, exact.sound_speed_squared);
+      if constexpr (!thermal) set_lane(r.pressure_energy, i, pressure_energy(eos_, rho_i, e_i));
+      else {
+        set_lane(r.temperature, i, exact.temperature);
+        set_lane(r.melting_temperature, i, exact.melting_temperature);
+        set_lane(r.melt_fraction, i, exact.melt_fraction);
+        set_lane(r.cold_energy, i, exact.cold_energy);
+        set_lane(r.region, i, exact.region);
+        set_lane(r.pressure_energy, i, exact.pressure_energy);
+        set_lane(r.temperature_energy, i, exact.temperature_energy);
+      }
+    }
+    return r;
   }
-  template <class V> BOLIDE_INLINE mask_t<V> outside_validity(V rho, V e) const {
-    using T = scalar_t<V>;
-    const auto out = rho < V(T(density_low_)) || rho > V(T(density_high_)) || e > V(T(energy_high_));
-    if constexpr (thermal) return out;
-    else return out || e < V(T(energy_low_));
+  template <class V> static void set_lane(V& x, int i, double value) {
+    if constexpr (lane_width<V> == 1) x = static_cast<V>(value);
+    else x.set(i, static_cast<scalar_t<V>>(value));
   }
-  const char* branch_name(double rho, double e) const { return region_name(eos_, rho, e); }
-  std::vector<double> energy_borders(double rho) const { return energy_borders_of(eos_, rho); }
-  std::vector<double> density_borders() const { return density_borders_of(eos_); }
 
-private:
   /// p, dp/dt, dp/dz, d2p/dtdz, then the same of T: one cache line in double. t counts cells of u, z is 0 .. 1 from border to border.
   /// Of borders: b_0, db_0/dt, b_1, ...
   template <class T> struct alignas(8 * sizeof(T)) record {
@@ -167,8 +200,8 @@ private:
   };
   template <class V> struct sheet { V value, t, z; };
 
-  /// Where a density lies: between `column` and the next, t of the way, `beyond` that outside the table (in cells).
-  template <class V> struct column_place { V column, first, t, beyond, inverse_step; };
+  /// Where a density lies: between `column` and the next, t of the way.
+  template <class V> struct column_place { V column, first, t, inverse_step; };
   template <class V> BOLIDE_INLINE column_place<V> find_column(V u) const {
     using T = scalar_t<V>;
     const V zero(T(0)), one(T(1));
@@ -181,9 +214,8 @@ private:
       cells = select(above, V(T(g.cells)), cells);
       first = select(above, V(T(g.column)), first);
     }
-    const V steps = (u - start) * inverse_step, cell = clip(floor(clip(steps, zero, cells)), zero, cells - one);
-    const V t_raw = steps - cell, t = clip(t_raw, zero, one);
-    return {first + cell, first, t, t_raw - t, inverse_step};
+    const V steps = clip((u - start) * inverse_step, zero, cells), cell = clip(floor(steps), zero, cells - one);
+    return {first + cell, first, steps - cell, inverse_step};
   }
 
   /// Where e lies at a density: z of the way from one border to the next (`wide` apart), in the cell above `node`, s of its `height` in z.
@@ -216,7 +248,7 @@ private:
     const V s_raw = (z - z_low) / height, s = clip(s_raw, zero, one);
     return {border[0], low_u, wide_u, inverse_wide, patch, z, c.column * T(nodes_per_column_) + level, s, height, (s_raw - s) * height};
   }
-  /// The borders and their slopes in t; beyond the table they stay where they are.
+  /// The borders and their slopes in t.
   template <class V> BOLIDE_INLINE void read_borders(const column_place<V>& c, const weights<V>& in_u, V* border, V* border_u) const {
     using T = scalar_t<V>;
     std::int32_t left[lane_width<V>], right[lane_width<V>];
@@ -226,10 +258,9 @@ private:
     const T* borders = data(borders_double_, borders_float_, T{});
     row_reader<8, 8>::template columns<V>(borders, left, a);
     row_reader<8, 8>::template columns<V>(borders, right, b);
-    const auto inside = c.beyond == V(T(0));
     for (int k = 0; k < most_borders; ++k) {
       border[k] = in_u.value(a[2 * k], a[2 * k + 1], b[2 * k], b[2 * k + 1]);
-      border_u[k] = select(inside, in_u.slope(a[2 * k], a[2 * k + 1], b[2 * k], b[2 * k + 1]), V(T(0)));
+      border_u[k] = in_u.slope(a[2 * k], a[2 * k + 1], b[2 * k], b[2 * k + 1]);
     }
   }
 
@@ -271,20 +302,19 @@ private:
     return {mean(0), mean(1), gather<V>(from + 2, nearest)};
   }
 
-  /// The function that begins at number K of a node, with its derivatives in t and z; bilinear beyond the table.
+  /// The function that begins at number K of a node, with its derivatives in t and z; linear in z beyond the last border.
   template <int K, class V>
   static BOLIDE_INLINE sheet<V> read(const weights<V>& in_u, const weights<V>& in_z, const V* n00, const V* n01, const V* n10, const V* n11,
-                                     V beyond_t, V beyond_z) {
+                                     V beyond) {
     const V f0 = in_z.value(n00[K], n00[K + 2], n01[K], n01[K + 2]), f1 = in_z.value(n10[K], n10[K + 2], n11[K], n11[K + 2]);
     const V g0 = in_z.value(n00[K + 1], n00[K + 3], n01[K + 1], n01[K + 3]), g1 = in_z.value(n10[K + 1], n10[K + 3], n11[K + 1], n11[K + 3]);
     const V f0_z = in_z.slope(n00[K], n00[K + 2], n01[K], n01[K + 2]), f1_z = in_z.slope(n10[K], n10[K + 2], n11[K], n11[K + 2]);
     const V g0_z = in_z.slope(n00[K + 1], n00[K + 3], n01[K + 1], n01[K + 3]), g1_z = in_z.slope(n10[K + 1], n10[K + 3], n11[K + 1], n11[K + 3]);
     sheet<V> r;
-    const V value = in_u.value(f0, g0, f1, g1), slope_t = in_u.slope(f0, g0, f1, g1), slope_z = in_u.value(f0_z, g0_z, f1_z, g1_z);
-    const V twist = in_u.slope(f0_z, g0_z, f1_z, g1_z);
-    r.t = slope_t + beyond_z * twist;
-    r.z = slope_z + beyond_t * twist;
-    r.value = value + beyond_t * slope_t + beyond_z * r.z;
+    const V value = in_u.value(f0, g0, f1, g1), slope_t = in_u.slope(f0, g0, f1, g1), twist = in_u.slope(f0_z, g0_z, f1_z, g1_z);
+    r.t = slope_t + beyond * twist;
+    r.z = in_u.value(f0_z, g0_z, f1_z, g1_z);
+    r.value = value + beyond * r.z;
     return r;
   }
   /// Where row `number` of the records begins, lane by lane.
