@@ -19,7 +19,7 @@ namespace bolide {
 template <int Dim, int Fields> class touched_nodes {
 public:
   using map = grid::block_map<Dim>;
-  static constexpr std::int64_t worth_threads = 16384; // nodes below which threads cost more than they give
+  static constexpr std::int64_t worth_threads = 4096; // nodes below which threads cost more than they give
 
   /// Begins a step on a grid of so many blocks. each_range(f) calls f(range) for the ranges whose particles bring something to the nodes;
   /// boundaries are lists of mirrors or periods, which touch the images of what is touched.
