@@ -14,9 +14,10 @@
 // Phases, by what the model is found to do: one region per patch (grover: melt_fraction linear in e, T_m cubic in u); or solid and liquid
 // told by T > T_m(V) (isentrope_temperature; better: tabulate the model inside it and wrap the table); else the region is that of the
 // nearest node, melt_fraction and T_m are bilinear between the nodes of a patch (eos::reference).
-// Outside the table's range, told by validity() and outside_validity(), the exact model answers, lane by lane in double. The last cell's
-// polynomial must not go on there: below eta_low = 0.2 p at a constant e rises with expansion (cohesion fades), so vapour that expands would
-// do work without end (mixed, at eta = 0.1 and 15.5 MJ/kg: 1.8 GPa instead of 0.4). Below the cold curve p and T go on linearly in e.
+// Outside the table's range, told by validity() and outside_validity(), the exact model answers, lane by lane in double: at the ends p and T
+// step by the table's error. The polynomials must not go on there: near eta_low = 0.2 p at a constant e rises with expansion (cohesion
+// fades), so vapour would do work without end (mixed at eta = 0.1 and 15.5 MJ/kg: 1.8 GPa instead of 0.4). Below the cold curve, which is
+// no end of the range, p and T go on linearly in e.
 //
 // error() is twice the worst of 25 samples in every cell, in p, c^2, T and melt fraction each; random points have not exceeded it
 // (tests/unit/eos/tabulated_test.cpp). base() is the exact model, kept for set-up work. With the default (p, c^2, T):
@@ -24,8 +25,8 @@
 // Where a quantum lattice freezes out (eos::reference, within some 10 kJ/kg of 0 K) T(e), and under tension p, bend within a cell and error()
 // is large (1e-2 in p); above 200 K it is 2e-5 in p and 3e-4 in c^2.
 // Cost: two log, four to six cache lines per lane, some 250 flops, 13 to 24 ns per lane in pack<double, 8> whatever the model costs: for
-// models that cost more (an exact lattice sum: 800 ns). A lane outside costs a scalar call of the model on top (mixed: 50 ns). Memory with the
-// default: 0.7 to 2.7 MB in double, half of it in float. Set-up: some 150 calls of the exact model per cell.
+// models that cost more (an exact lattice sum: 800 ns). A lane outside costs a scalar call of the model on top (mixed: 50 ns). Memory with
+// the default: 0.7 to 2.7 MB in double, half of it in float. Set-up: some 150 calls of the exact model per cell.
 #pragma once
 
 #include "bolide/concepts/equation_of_state.hpp"
@@ -93,7 +94,7 @@ public:
   /// Twice the worst of what was sampled in the table's range.
   const surface_error& error() const { return error_; }
   std::size_t bytes() const { return (nodes_double_.size() + borders_double_.size()) * sizeof(record<double>); } // of the double table
-  /// The table's range; beyond it the model answers.
+  /// The table's range, where error() holds.
   validity_box validity() const {
     validity_box box = validity_of(eos_);
     box.density_low = density_low_, box.density_high = density_high_;
