@@ -4,8 +4,8 @@
 //   bash examples/run.sh tradeoff                     the matrix (some 25 minutes on one core) to tradeoff_out/: CSV, JSON, pictures, report.html
 //   bash examples/run.sh tradeoff --judge --docs .    and: is the advice good on other problems? and docs/tradeoff.md, include/bolide/advise/measured.hpp
 //   --minutes N     no run is begun after that, the finest are left out (default 60)      --out DIR     results
-//   --from FILE     rows of an earlier tradeoff.csv are not measured again                --judged FILE nor those of an earlier judge.csv
-//   --fresh         --judge with problems on which nothing was tuned
+//   --from FILE     rows of an earlier tradeoff.csv are not measured again                --judged FILE nor those of an earlier judge.csv or fresh.csv
+//   --fresh         the judge asks about problems on which nothing was tuned (with --judge: about both)
 //   --quick         two kinds of problems, coarse
 // The units: settings and compositions (what is composed), problem_* (what is computed, and its error), matrix (which runs, how often), tables, picture,
 // report, docs (files), judge.
@@ -15,8 +15,10 @@
 
 #include "bolide/observe/whole_file.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <cstdio>
+#include <iterator>
 
 using namespace tradeoff;
 namespace advise = bolide::advise;
@@ -39,11 +41,11 @@ request read(int argc, char** argv) {
     };
     if (name == "--quick") r.quick = true;
     else if (name == "--judge") r.judge = true;
-    else if (name == "--fresh") r.fresh = r.judge = true;
+    else if (name == "--fresh") r.fresh = true;
     else if (name == "--out") r.out = value();
     else if (name == "--docs") r.docs = value();
     else if (name == "--from") r.from = value();
-    else if (name == "--judged") r.judged = value(), r.judge = true;
+    else if (name == "--judged") r.judged = value();
     else if (name == "--minutes") {
       const std::string text = value();
       if (!bolide::text::parse_number(text, r.minutes) || !(r.minutes > 0)) throw bolide::bad_parameter("--minutes = '" + text + "': must be a positive number");
@@ -61,10 +63,11 @@ std::string slug(const std::string& name) {
   return text;
 }
 
-/// Runs those of the tasks that `known` has no row of; the rows so far are in `file`, should the program be stopped.
+/// Runs those of the tasks that `known` has no row of; the rows so far, and those known of the problems, are in `file`, should the program be stopped.
 advise::table measure_all(const std::vector<problem>& problems, const std::vector<task>& tasks, double minutes, const std::filesystem::path& file, const advise::table& known) {
   const auto with_known = [&](std::vector<advise::row> rows) {
-    rows.insert(rows.begin(), known.rows.begin(), known.rows.end());
+    std::copy_if(known.rows.begin(), known.rows.end(), std::inserter(rows, rows.begin()),
+                 [&](const advise::row& r) { return std::any_of(problems.begin(), problems.end(), [&](const problem& p) { return p.name == r.problem; }); });
     return advise::table{std::move(rows), "this run"};
   };
   const measured all = run(problems, missing(problems, tasks, known), minutes, [&](const measured& so_far) { write_csv(file, with_known(so_far.rows)); });
@@ -111,18 +114,17 @@ int work(const request& r) {
     const auto a = ask.for_accuracy({one.kind, one.extent, one.duration, one.strength, one.tube}, 0.02);
     std::printf("2 %% in %s: %s on %g cells, %.2g s, %.0f %% sure; %s\n", problem.c_str(), name(a.how).c_str(), a.cells, a.cost, 100 * a.sure, a.why.c_str());
   }
-  std::string judged;
-  if (r.judge) {
-    const auto others = r.fresh ? fresh_problems() : judge_problems();
-    const auto file = out / (r.fresh ? "fresh.csv" : "judge.csv");
+  const auto verdict_on = [&](const std::vector<problem>& others, const std::filesystem::path& file) {
     advise::table others_rows = measure_all(others, judge_tasks(others), r.minutes, file, read_or_none(r.judged));
     write_csv(file, others_rows);
     const auto verdicts = judge(ask, others, others_rows);
     write_csv(file, others_rows);
-    judged = section(verdicts);
-    std::printf("%s", judged.c_str());
-  }
-  if (!r.docs.empty()) write_docs(r.docs, t, on, judged);
+    const std::string text = section(verdicts);
+    std::printf("%s", text.c_str());
+    return text;
+  };
+  const std::string judged = r.judge ? verdict_on(judge_problems(), out / "judge.csv") : "", fresh = r.fresh ? verdict_on(fresh_problems(), out / "fresh.csv") : "";
+  if (!r.docs.empty()) write_docs(r.docs, t, on, judged, fresh);
   std::printf("results in %s\n", r.out.c_str());
   return wrong == 0 ? 0 : 1;
 }

@@ -23,7 +23,7 @@ void write_picture(const std::filesystem::path& path, const bolide::advise::tabl
 /// All problems in one self-contained page: hovering a mark names its composition.
 void write_report(const std::filesystem::path& path, const bolide::advise::table& t, const std::string& measured_on);
 
-/// docs/tradeoff.md (`judged`: the section of the judge, may be empty), docs/img/tradeoff.png and include/bolide/advise/measured.hpp below `root`.
-void write_docs(const std::filesystem::path& root, const bolide::advise::table& t, const std::string& measured_on, const std::string& judged);
+/// docs/tradeoff.md (`judged`, `fresh`: the judge's sections, may be empty), docs/img/tradeoff.png and include/bolide/advise/measured.hpp below `root`.
+void write_docs(const std::filesystem::path& root, const bolide::advise::table& t, const std::string& measured_on, const std::string& judged, const std::string& fresh);
 
 } // namespace tradeoff

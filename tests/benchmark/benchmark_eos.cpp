@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Cost of one evaluation of an equation of state, in ns per state, for double, float and the widest pack of each. 4096 states between
 // 0.75 and 2 times the reference density and 0.02 and 8 MJ/kg, in an order that mixes the phases within a pack, as a debris cloud does.
+#include "run_benchmarks.hpp"
+
 #include "bolide/eos/cold/cai_ye.hpp"
 #include "bolide/eos/cold/rose.hpp"
 #include "bolide/eos/cold/tabulated.hpp"
@@ -16,8 +18,6 @@
 #include "bolide/eos/stiffened_gas.hpp"
 #include "bolide/eos/tabulated.hpp"
 #include "bolide/eos/tillotson.hpp"
-
-#include <benchmark/benchmark.h>
 
 #include <random>
 #include <vector>
@@ -81,7 +81,5 @@ int main(int argc, char** argv) {
   add("jwl", eos::jwl{{.rho0 = 1630, .A = 371.2e9, .B = 3.231e9, .R1 = 4.15, .R2 = 0.95, .omega = 0.30}}); // TNT
   add("ideal_gas", eos::ideal_gas{});
   add("stiffened_gas", eos::stiffened_gas{});
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  benchmark::RunSpecifiedBenchmarks();
+  return run_benchmarks(argc, argv);
 }

@@ -2,8 +2,7 @@
 // The ceilings of one core (limits.hpp): fused multiply-adds in the widest pack, flop/s, and read-and-write bandwidth, bytes/s, by the size of the
 // array: first-level cache, second level, third level, memory. The best of the repetitions counts; others on the machine only take away.
 #include "limits.hpp"
-
-#include <benchmark/benchmark.h>
+#include "run_benchmarks.hpp"
 
 namespace {
 using namespace bolide;
@@ -34,4 +33,5 @@ void clock_rate(benchmark::State& state) {
 }
 BENCHMARK(clock_rate)->Iterations(3);
 } // namespace
-BENCHMARK_MAIN();
+
+int main(int argc, char** argv) { return run_benchmarks(argc, argv); }

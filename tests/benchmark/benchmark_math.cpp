@@ -2,9 +2,9 @@
 // Cost and error of the elementary functions of a pack (core/math.hpp) beside the standard library's, double: per_value in seconds, error as
 // the largest relative deviation from long double over the arguments that are timed. log of 1e-5 to 1e5 evenly in the logarithm, exp of -10
 // to 10, pow of the same arguments as log with |y log x| <= 10.
-#include "bolide/core/math.hpp"
+#include "run_benchmarks.hpp"
 
-#include <benchmark/benchmark.h>
+#include "bolide/core/math.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -71,7 +71,5 @@ int main(int argc, char** argv) {
   add<log_of>("log");
   add<exp_of>("exp");
   add<pow_of>("pow");
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  benchmark::RunSpecifiedBenchmarks();
+  return run_benchmarks(argc, argv);
 }

@@ -15,6 +15,7 @@
 #include "block_scene.hpp"
 #include "hand_written.hpp"
 #include "limits.hpp"
+#include "machine.hpp"
 #include "paper_scene.hpp"
 
 #include "bolide/grid/uniform.hpp"
@@ -40,10 +41,6 @@
 namespace {
 using namespace bolide;
 using real = long double;
-
-#if !defined(BOLIDE_BENCHMARK_FLAGS)
-#define BOLIDE_BENCHMARK_FLAGS "not known to the program"
-#endif
 
 // ---- results ------------------------------------------------------------------------------------------------------------------------
 double median(std::vector<double> x) {
@@ -99,26 +96,6 @@ struct results {
     if (!out) std::printf("cannot write %s\n", file.c_str());
   }
 };
-
-std::string cpu_model() {
-  std::ifstream info("/proc/cpuinfo");
-  std::string name = "unknown", family, model;
-  for (std::string line; std::getline(info, line) && !line.empty();) { // of the first core
-    const auto is = [&](const char* key) { return line.rfind(key, 0) == 0 && line.find(": ") != std::string::npos; };
-    const std::string value = line.substr(std::min(line.size(), line.find(':') + 2));
-    if (is("model name")) name = value;
-    else if (is("model")) model = value;
-    else if (is("cpu family")) family = value;
-  }
-  return name + ", family " + family + ", model " + model;
-}
-std::string compiler() {
-#if defined(__clang__)
-  return std::string("clang++ ") + __clang_version__;
-#else
-  return std::string("g++ ") + __VERSION__;
-#endif
-}
 
 // ---- contestants --------------------------------------------------------------------------------------------------------------------
 /// Bytes that the heap has given out.
@@ -378,10 +355,10 @@ void limits_of_the_core(session& s) {
   const double fma_float = limits::fma_rate<float>(), cache = limits::update_bandwidth(limits::second_level_bytes);
   const double clock = limits::clock_rate();
   s.bandwidth = limits::update_bandwidth(limits::memory_bytes);
-  std::printf("  %s, %.2f GHz; %s; flags: %s\n", cpu_model().c_str(), 1e-9 * clock, compiler().c_str(), BOLIDE_BENCHMARK_FLAGS);
+  std::printf("  %s, %.2f GHz; %s; flags: %s\n", machine::cpu_model().c_str(), 1e-9 * clock, machine::compiler().c_str(), machine::flags);
   std::printf("  multiply-adds %.1f Gflop/s double, %.1f float; update bandwidth %.1f GB/s memory, %.1f second-level cache\n", 1e-9 * s.fma_double,
               1e-9 * fma_float, 1e-9 * s.bandwidth, 1e-9 * cache);
-  s.out.machine.add("cpu", cpu_model()).add("clock_hertz", clock).add("compiler", compiler()).add("flags", BOLIDE_BENCHMARK_FLAGS);
+  s.out.machine.add("cpu", machine::cpu_model()).add("clock_hertz", clock).add("compiler", machine::compiler()).add("flags", machine::flags);
   s.out.machine.add("lanes_double", native_width<double>).add("fma_double", s.fma_double).add("fma_float", fma_float);
   s.out.machine.add("update_bandwidth_memory", s.bandwidth).add("update_bandwidth_second_level", cache);
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Cost of a sort, in ns per particle: blocks rebuilt and 22 columns of a default composition reordered, after the block has moved by one
 // cell and every particle by up to a quarter of a cell at random. A run sorts when a particle has drifted out of its block's margin.
+#include "run_benchmarks.hpp"
+
 #include "bolide/solver/particle_set.hpp"
 #include "bolide/space/axisymmetric.hpp"
-
-#include <benchmark/benchmark.h>
 
 #include <random>
 
@@ -55,4 +55,5 @@ template <class T> void sort(benchmark::State& state) {
 BENCHMARK(sort<double>)->Arg(141)->Arg(240); // 20 thousand and the paper's 58 thousand particles
 BENCHMARK(sort<float>)->Arg(141)->Arg(240);
 } // namespace
-BENCHMARK_MAIN();
+
+int main(int argc, char** argv) { return run_benchmarks(argc, argv); }

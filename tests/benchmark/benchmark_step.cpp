@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Cost of a step, in ns per particle, for the compositions of the library: {linear FLIP, B-spline FLIP, B-spline APIC} x {USF, MUSL} x
-// {double, float}, one thread; the rows "fluid" have a material that costs next to nothing. See
+// Cost of a step, in ns per particle, for the compositions of examples/tradeoff: {linear FLIP, B-spline FLIP, B-spline APIC} x {USF, MUSL} x
+// {double, float}, and GIMP, USL, XPIC(2) and cubic B-splines in double, one thread; the rows "fluid" have a material that costs next to nothing. See
 // docs/performance.md for how to run it and what it gave.
 //
 // Scene: an aluminium block of 100 x 200 particles in r-z, 2 x 2 per cell, that flies at 2 km/s and is compressed at 2e5 /s along both
 // axes: every particle has viscosity, plastic flow and a strain rate, and changes cell and block. Every 200 steps the scene starts anew,
 // untimed, so that the mean is over the same states whatever the number of iterations.
+#include "run_benchmarks.hpp"
+
 #include "bolide/eos/cold/cai_ye.hpp"
 #include "bolide/eos/cold/tabulated.hpp"
 #include "bolide/eos/grover.hpp"
@@ -14,15 +16,16 @@
 #include "bolide/eos/stiffened_gas.hpp"
 #include "bolide/failure/none.hpp"
 #include "bolide/failure/tension_or_melt.hpp"
+#include "bolide/shape/cubic_bspline.hpp"
+#include "bolide/shape/gimp.hpp"
 #include "bolide/shape/linear.hpp"
 #include "bolide/shape/quadratic_bspline.hpp"
 #include "bolide/solver/solver.hpp"
 #include "bolide/space/axisymmetric.hpp"
 #include "bolide/strength/johnson_cook.hpp"
 #include "bolide/strength/none.hpp"
+#include "bolide/transfer/xpic.hpp"
 #include "bolide/viscosity/none.hpp"
-
-#include <benchmark/benchmark.h>
 
 #include <memory>
 
@@ -83,12 +86,17 @@ using transfer::apic;
 using transfer::flip;
 using scheme::musl;
 using scheme::usf;
+using scheme::usl;
 BENCHMARK(step<double, linear, flip, usf>);
 BENCHMARK(step<double, linear, flip, musl>);
 BENCHMARK(step<double, bspline, flip, usf>);
 BENCHMARK(step<double, bspline, flip, musl>);
 BENCHMARK(step<double, bspline, apic, usf>);
 BENCHMARK(step<double, bspline, apic, musl>);
+BENCHMARK(step<double, shape::gimp, flip, usf>);
+BENCHMARK(step<double, bspline, flip, usl>);
+BENCHMARK(step<double, bspline, transfer::xpic<2>, usf>);
+BENCHMARK(step<double, shape::cubic_bspline, apic, usf>);
 BENCHMARK(step<float, linear, flip, usf>);
 BENCHMARK(step<float, linear, flip, musl>);
 BENCHMARK(step<float, bspline, flip, usf>);
@@ -101,4 +109,5 @@ BENCHMARK(step<double, bspline, apic, usf, fluid>);
 BENCHMARK(step<float, bspline, apic, usf, fluid>);
 
 } // namespace
-BENCHMARK_MAIN();
+
+int main(int argc, char** argv) { return run_benchmarks(argc, argv); }
