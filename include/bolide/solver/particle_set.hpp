@@ -57,8 +57,8 @@ template <class T, class Space, class Shape, class Material, class Fields> struc
   std::size_t number;     // of the body, from 0
   particles::columns<T, Space, Fields> columns;
   std::vector<block_range<dim>> ranges;
-  std::array<std::vector<std::int32_t>, map::colours> by_colour; // ranges of each colour, those of most particles first
-  std::vector<std::int32_t> by_size{};                           // all of them
+  std::array<std::vector<std::int32_t>, map::colours> by_colour; // ranges of each colour
+  std::vector<std::int32_t> all{};                               // ranges
 
   /// First node of the support of particle i: what the particles are sorted by.
   index first_node(std::size_t i, double h) const {
@@ -286,20 +286,16 @@ private:
   static constexpr std::size_t least_in_tile = static_cast<std::size_t>(3 * lanes / 4); // particles, on average, for tiles to be worth it
   static constexpr std::size_t arranging_costs = 2; // a tile in a step costs about as much as arranging so many particles
 
-  /// Finds neighbours, nodes and colours of the ranges in the blocks. Ranges of most particles come first: threads that take one after the other
-  /// then end nearly together.
+  /// Finds neighbours, nodes and colours of the ranges in the blocks.
   template <class Map> void link(const Map& blocks) {
-    by_size.resize(ranges.size());
-    std::iota(by_size.begin(), by_size.end(), 0);
-    const auto particles = [this](std::int32_t k) { return ranges[static_cast<std::size_t>(k)].end - ranges[static_cast<std::size_t>(k)].begin; };
-    std::stable_sort(by_size.begin(), by_size.end(), [&](std::int32_t a, std::int32_t b) { return particles(a) > particles(b); });
+    all.resize(ranges.size());
+    std::iota(all.begin(), all.end(), 0);
     for (auto& c : by_colour) c.clear();
-    for (const std::int32_t k : by_size) {
-      auto& r = ranges[static_cast<std::size_t>(k)];
-      const auto block = map::block_of(r.origin);
-      r.near = blocks.neighbourhood(block);
-      r.nodes = grid::window<dim>::nodes(r.near);
-      by_colour[static_cast<std::size_t>(map::colour_of(block))].push_back(k);
+    for (std::size_t k = 0; k < ranges.size(); ++k) {
+      const auto block = map::block_of(ranges[k].origin);
+      ranges[k].near = blocks.neighbourhood(block);
+      ranges[k].nodes = grid::window<dim>::nodes(ranges[k].near);
+      by_colour[static_cast<std::size_t>(map::colour_of(block))].push_back(static_cast<std::int32_t>(k));
     }
   }
 

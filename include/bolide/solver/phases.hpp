@@ -23,6 +23,7 @@
 #include "bolide/solver/ledger.hpp"
 #include "bolide/solver/particle_set.hpp"
 #include "bolide/solver/touched_nodes.hpp"
+#include "bolide/solver/work_sharing.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -304,6 +305,7 @@ private:
   motion motion_;
   touched_nodes<dim, velocity_fields> nodes_;
   std::vector<update_report> reports_; // one per range
+  work_sharing work_;
 
   /// Makes the blocks around the occupied ones, and what the boundaries know of them.
   void rebuild(std::vector<grid::cell_index<dim>> occupied) {
@@ -326,27 +328,24 @@ private:
   template <bool AddsToNodes = true, class F> void sweep(F&& f) {
     const auto lists_of = [](const auto& s) {
       if constexpr (AddsToNodes) return std::span(s.by_colour);
-      else return std::span(&s.by_size, 1);
+      else return std::span(&s.all, 1);
     };
     std::size_t ranges = 0, particles = 0;
     for_each_set([&](const auto& s) { ranges += s.ranges.size(), particles += s.columns.size(); });
     reports_.assign(ranges, update_report{});
+    const int used = particles > worth_threads ? threads : 1;
+    work_.begin(sizeof...(Sets) * map::colours, used);
 #if defined(_OPENMP)
-#pragma omp parallel num_threads(threads) if (particles > worth_threads)
+#pragma omp parallel num_threads(used)
 #endif
     {
-      std::size_t first = 0;
+      std::size_t first = 0, number = 0;
       for_each_set([&](auto& s) {
-        for (const auto& list : lists_of(s)) {
-          const auto count = static_cast<std::int64_t>(list.size());
-#if defined(_OPENMP)
-#pragma omp for schedule(dynamic, 1)
-#endif
-          for (std::int64_t i = 0; i < count; ++i) {
-            const auto r = static_cast<std::size_t>(list[static_cast<std::size_t>(i)]);
+        for (const auto& list : lists_of(s))
+          work_.run(number++, list.size(), [&](std::size_t i) {
+            const auto r = static_cast<std::size_t>(list[i]);
             f(s, s.ranges[r], reports_[first + r]);
-          }
-        }
+          });
         first += s.ranges.size();
       });
     }
