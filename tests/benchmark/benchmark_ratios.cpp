@@ -4,8 +4,8 @@
 //   benchmark_ratios [--out FILE.json] [--only TEXT] [--repeats N] [--most PARTICLES]
 //
 // Not a Google Benchmark program: that times one function after the other, minutes apart, and on a shared machine a ratio of two such times is
-// noise. Here the solvers of a row take turns, some tens of milliseconds each, and are compared repeat by repeat. Thread CPU time, one thread; the
-// figure is the median over the repeats, beside the least.
+// noise. Here the solvers of a row take turns, some tens of milliseconds each, and are compared repeat by repeat. Thread CPU time, one thread (the row
+// of two threads: the clock on the wall); the figure is the median over the repeats, beside the least.
 //
 // Scene: block_scene.hpp, advanced by 60 steps before the clock starts, so that most of it yields. At the end the kinetic energies of the solvers of
 // a row must agree within 1 % (else exit 1), so that what is timed is the same motion; tests/verify/textbook_test.cpp is the sharp test.
@@ -26,6 +26,7 @@
 #endif
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -346,6 +347,39 @@ void johnson_cook(session& s) {
   s.figure("Johnson-Cook yield, pack, largest relative error", error_vector, 2e-15, 2e-15, false);
 }
 
+// ---- threads ------------------------------------------------------------------------------------------------------------------------
+/// One thread and two, in turn every other step, by the clock on the wall: the machine must be quiet.
+void threads(session& s) {
+  const scenes::block<2> scene{120};
+  auto one = scenes::composed<double, shape::linear>(scene, 1), two = scenes::composed<double, shape::linear>(scene, 2);
+  const auto time = [](auto& sim) {
+    const auto begin = std::chrono::steady_clock::now();
+    for (int i = 0; i < 2; ++i) sim.step();
+    return 1e9 * std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() / (2 * static_cast<double>(sim.particle_count()));
+  };
+  std::vector<double> single, both, efficiency;
+  for (int r = -5; r < (s.repeats > 0 ? s.repeats : 200); ++r) {
+    const double a = time(one), b = time(two);
+    if (r >= 0) single.push_back(a), both.push_back(b), efficiency.push_back(a / (2 * b));
+  }
+  const auto state = [](const auto& sim) {
+    std::vector<double> all;
+    sim.for_each_body([&](const auto& set) {
+      const auto& p = set.columns;
+      for (std::size_t i = 0; i < p.size(); ++i)
+        for (int d = 0; d < 2; ++d) all.push_back(p.template get<field::position>(d)[i]), all.push_back(p.template get<field::velocity>(d)[i]);
+    });
+    return all;
+  };
+  const bool same = state(one) == state(two);
+  s.agree = s.agree && same;
+  std::printf("  two threads, r-z linear, 57,600: one thread %.2f ns, two %.2f ns by the clock on the wall (medians); %s\n", median(single), median(both),
+              same ? "the same bits" : "DIFFERENT BITS");
+  s.out.times.push_back(entry().add("group", "threads").add("solver", "composed double, one thread").add("ns_median", median(single)));
+  s.out.times.push_back(entry().add("group", "threads").add("solver", "composed double, two threads").add("ns_median", median(both)));
+  s.figure("58k, r-z linear USF double: efficiency of two threads", median(efficiency), 0.90, 0.95);
+}
+
 // ---- the rows -----------------------------------------------------------------------------------------------------------------------
 using linear = shape::linear;
 using bspline = shape::quadratic_bspline;
@@ -496,7 +530,7 @@ int main(int argc, char** argv) {
     else if (i + 1 < argc && option == "--most") s.most = std::atof(argv[++i]);
     else {
       std::printf("usage: benchmark_ratios [--out FILE.json] [--only TEXT] [--repeats N] [--most PARTICLES]\n"
-                  "  groups: limits flops rz_58k rz_58k_elastic rz_58k_quadratic rz_1m xyz_1m xyz_1m_quadratic empty scaling johnson_cook\n");
+                  "  groups: limits flops rz_58k rz_58k_elastic rz_58k_quadratic rz_1m xyz_1m xyz_1m_quadratic empty scaling johnson_cook threads\n");
       return 2;
     }
   }
@@ -508,6 +542,7 @@ int main(int argc, char** argv) {
     count_operations<textbook::quadratic, 3>(s, "3-D 27-node", 12);
   }
   if (s.wants("johnson_cook")) johnson_cook(s);
+  if (s.wants("threads")) threads(s);
   std::printf("\n  %-26s %-16s %8s %8s %8s   %6s   %s\n", "ns per particle and step", "solver", "median", "least", "mean", "B heap",
               "kinetic energy over the textbook's");
   if (s.wants("rz_58k")) rz_58k(s);
