@@ -58,7 +58,7 @@ template <class T, class Space, class Shape, class Material, class Fields> struc
   particles::columns<T, Space, Fields> columns;
   std::vector<block_range<dim>> ranges;
   std::array<std::vector<std::int32_t>, map::colours> by_colour; // ranges of each colour
-  std::vector<std::int32_t> all{};                               // ranges
+  std::vector<std::int32_t> all{};                               // of them, in their order: for sweeps that need no colours
 
   /// First node of the support of particle i: what the particles are sorted by.
   index first_node(std::size_t i, double h) const {
