@@ -48,7 +48,7 @@ struct advice {
   double error = 0;     // predicted
   double cost = 0;      // s, predicted
   double sure = 0;      // probability that the error (for_budget: the predicted one, give or take a fifth) is not exceeded
-  bool reaches = false; // what was asked; if not, this is what comes nearest
+  bool reaches = false; // what was asked; if not, this comes nearest (least error that one of six exceeds)
   bool beyond = false;  // finer than measured
   std::string why;
 };
@@ -85,7 +85,7 @@ public:
       ++all;
       for (const double cells : resolutions(what.kind, how)) {
         const candidate c = at(what, how, cells);
-        if (nearest.cells == 0 || sure(what, c, accuracy) > sure(what, nearest, accuracy)) nearest = c;
+        if (nearest.cells == 0 || std::log(c.error) + spread(what, c) < std::log(nearest.error) + spread(what, nearest)) nearest = c; // exceeded by one of six
         if (sure(what, c, accuracy) < confidence) continue;
         ++reaching;
         if (best.cells == 0 || c.cost < best.cost) best = c;
@@ -396,10 +396,13 @@ private:
       for (const double cells : measured_resolutions(what.kind, how)) all.push_back(at(what, how, cells));
     return all;
   }
+  /// Standard deviation of ln(true/predicted error).
+  double spread(const scene& what, const candidate& c) const {
+    return (scatter(what.kind, c.how) + 0.25 * std::log2(c.finer)) * std::sqrt(1 + 1 / static_cast<double>(curves(what.kind, c.how).size()));
+  }
   /// The probability that the error is at most `asked`.
   double sure(const scene& what, const candidate& c, double asked) const {
-    const double s = (scatter(what.kind, c.how) + 0.25 * std::log2(c.finer)) * std::sqrt(1 + 1 / static_cast<double>(curves(what.kind, c.how).size()));
-    return 0.5 * std::erfc(-std::log(asked / c.error) / s / std::sqrt(2.0));
+    return 0.5 * std::erfc(-std::log(asked / c.error) / spread(what, c) / std::sqrt(2.0));
   }
   advice answer(const scene& what, const candidate& c, double asked) const { return {c.how, c.cells, c.error, c.cost, sure(what, c, asked), false, c.beyond(), {}}; }
   std::string basis(const scene& what, const candidate& c) const {

@@ -154,6 +154,18 @@ TEST(Advisor, FrontAndPresetsAreOfTheTable) {
   EXPECT_THROW((void)ask.preset(same, "fast"), bad_parameter);
 }
 
+/// Far out of reach the probability of reaching it is highest for the method that scatters most: it used to be named the nearest.
+TEST(Advisor, TheNearestIsTheMostAccurateNotTheLeastCertain) {
+  const method erratic{"gimp", "flip", "usf", "double"};
+  auto t = made_up();
+  add(t, "easy", "wave", erratic, 0.004, 0, 1e-6);
+  add(t, "hard", "wave", erratic, 0.4, 0, 1e-6);
+  const auto nearest = advisor(t).for_accuracy(same, 1e-9);
+  EXPECT_FALSE(nearest.reaches);
+  EXPECT_EQ(nearest.how, best);
+  EXPECT_EQ(nearest.cells, 128);
+}
+
 TEST(Advisor, OffersOnlyWhatCanBeComposed) {
   advisor ask(made_up());
   ask.offer([](const method& m) { return m.shape != "cubic"; });
