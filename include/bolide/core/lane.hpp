@@ -208,6 +208,8 @@ template <std::floating_point T> BOLIDE_INLINE void store(T x, T* to) { *to = x;
 template <class T, int W> BOLIDE_INLINE void store(pack<T, W> x, T* to) { x.store(to); }
 template <std::floating_point T> BOLIDE_INLINE T lane(T x, int) { return x; }
 template <class T, int W> BOLIDE_INLINE T lane(pack<T, W> x, int i) { return x[i]; }
+template <std::floating_point T> BOLIDE_INLINE void set_lane(T& x, int, T value) { x = value; }
+template <class T, int W> BOLIDE_INLINE void set_lane(pack<T, W>& x, int i, std::type_identity_t<T> value) { x.set(i, value); }
 /// Stores the first n lanes.
 template <class V> BOLIDE_INLINE void store_first(V x, scalar_t<V>* to, int n) {
   if (n >= lane_width<V>) store(x, to);

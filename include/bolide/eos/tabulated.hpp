@@ -144,28 +144,25 @@ private:
   }
   /// r with the model's answer in the lanes outside. Out of line: most packs of particles have none.
   template <class V, class Point> __attribute__((noinline)) Point with_model(Point r, V rho, V e) const {
+    using T = scalar_t<V>;
     for (int i = 0; i < lane_width<V>; ++i) {
       const double rho_i = static_cast<double>(lane(rho, i)), e_i = static_cast<double>(lane(e, i));
       if (!outside_validity(lane(rho, i), lane(e, i))) continue;
       const auto exact = eos_.evaluate(rho_i, e_i);
-      set_lane(r.pressure, i, exact.pressure);
-      set_lane(r.sound_speed_squared, i, exact.sound_speed_squared);
-      if constexpr (!thermal) set_lane(r.pressure_energy, i, pressure_energy(eos_, rho_i, e_i));
+      set_lane(r.pressure, i, static_cast<T>(exact.pressure));
+      set_lane(r.sound_speed_squared, i, static_cast<T>(exact.sound_speed_squared));
+      if constexpr (!thermal) set_lane(r.pressure_energy, i, static_cast<T>(pressure_energy(eos_, rho_i, e_i)));
       else {
-        set_lane(r.temperature, i, exact.temperature);
-        set_lane(r.melting_temperature, i, exact.melting_temperature);
-        set_lane(r.melt_fraction, i, exact.melt_fraction);
-        set_lane(r.cold_energy, i, exact.cold_energy);
-        set_lane(r.region, i, exact.region);
-        set_lane(r.pressure_energy, i, exact.pressure_energy);
-        set_lane(r.temperature_energy, i, exact.temperature_energy);
+        set_lane(r.temperature, i, static_cast<T>(exact.temperature));
+        set_lane(r.melting_temperature, i, static_cast<T>(exact.melting_temperature));
+        set_lane(r.melt_fraction, i, static_cast<T>(exact.melt_fraction));
+        set_lane(r.cold_energy, i, static_cast<T>(exact.cold_energy));
+        set_lane(r.region, i, static_cast<T>(exact.region));
+        set_lane(r.pressure_energy, i, static_cast<T>(exact.pressure_energy));
+        set_lane(r.temperature_energy, i, static_cast<T>(exact.temperature_energy));
       }
     }
     return r;
-  }
-  template <class V> static void set_lane(V& x, int i, double value) {
-    if constexpr (lane_width<V> == 1) x = static_cast<V>(value);
-    else x.set(i, static_cast<scalar_t<V>>(value));
   }
 
   /// p, dp/dt, dp/dz, d2p/dtdz, then the same of T: one cache line in double. t counts cells of u, z is 0 .. 1 from border to border.

@@ -58,7 +58,6 @@ template <class T, class Space, class Shape, class Material, class Fields> struc
   particles::columns<T, Space, Fields> columns;
   std::vector<block_range<dim>> ranges;
   std::array<std::vector<std::int32_t>, map::colours> by_colour; // ranges of each colour
-  std::vector<std::int32_t> all{};                               // of them, in their order: for sweeps that need no colours
 
   /// First node of the support of particle i: what the particles are sorted by.
   index first_node(std::size_t i, double h) const {
@@ -288,8 +287,6 @@ private:
 
   /// Finds neighbours, nodes and colours of the ranges in the blocks.
   template <class Map> void link(const Map& blocks) {
-    all.resize(ranges.size());
-    std::iota(all.begin(), all.end(), 0);
     for (auto& c : by_colour) c.clear();
     for (std::size_t k = 0; k < ranges.size(); ++k) {
       const auto block = map::block_of(ranges[k].origin);

@@ -27,7 +27,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <span>
 #include <tuple>
 #include <vector>
 
@@ -326,10 +325,6 @@ private:
 
   /// f(set, range, report) for every block range of every body; colour by colour if it adds to nodes, else no block waits for another.
   template <bool AddsToNodes = true, class F> void sweep(F&& f) {
-    const auto lists_of = [](const auto& s) {
-      if constexpr (AddsToNodes) return std::span(s.by_colour);
-      else return std::span(&s.all, 1);
-    };
     std::size_t ranges = 0, particles = 0;
     for_each_set([&](const auto& s) { ranges += s.ranges.size(), particles += s.columns.size(); });
     reports_.assign(ranges, update_report{});
@@ -341,11 +336,10 @@ private:
     {
       std::size_t first = 0, number = 0;
       for_each_set([&](auto& s) {
-        for (const auto& list : lists_of(s))
-          work_.run(number++, list.size(), [&](std::size_t i) {
-            const auto r = static_cast<std::size_t>(list[i]);
-            f(s, s.ranges[r], reports_[first + r]);
-          });
+        const auto run = [&](std::size_t r) { f(s, s.ranges[r], reports_[first + r]); };
+        if constexpr (AddsToNodes)
+          for (const auto& colour : s.by_colour) work_.run(number++, colour.size(), [&](std::size_t i) { run(static_cast<std::size_t>(colour[i])); });
+        else work_.run(number++, s.ranges.size(), run);
         first += s.ranges.size();
       });
     }
